@@ -17,6 +17,9 @@ import org.daybreak.core.sampling.StreamDomain;
  * fall on their borders. What the sampler rejects is a cell of its own, with the rest of the probability. The test
  * fails at once if the density integrates to more than 1, is negative or not finite, or if a sample falls where its
  * density is 0 throughout the cell.
+ *
+ * <p>What it finds: a density that is wrong by a relative ε throughout raises χ² by samples · ε², against a standard
+ * deviation of √(2 · cells). With the defaults that is visible from about ε = 0.03.
  */
 public final class ChiSquareTest {
     /** Cells with fewer expected samples are pooled. */
