@@ -1,5 +1,6 @@
 package org.daybreak.core.scene;
 
+import org.daybreak.core.accel.HitRefinement;
 import org.daybreak.core.accel.Intersector;
 import org.daybreak.core.accel.Ray;
 import org.daybreak.core.geometry.SurfacePoint;
@@ -20,6 +21,7 @@ public final class RayCaster {
     private final Scene scene;
     private final Intersector intersector;
     private final Ray ray = new Ray();
+    private final HitRefinement refinement = new HitRefinement();
     private final SurfacePoint veil = new SurfacePoint();
     private final long[] counts = new long[KINDS.length];
 
@@ -58,11 +60,11 @@ public final class RayCaster {
             RayKind kind,
             SurfacePoint hit) {
         counts[kind.ordinal()]++;
-        seat(ox, oy, oz, dx, dy, dz, Double.POSITIVE_INFINITY);
+        ray.set(ox, oy, oz, dx, dy, dz, Double.POSITIVE_INFINITY);
         if (!intersector.intersect(ray)) {
             return false;
         }
-        scene.resolve(ray, hit);
+        scene.resolve(ray, refinement, hit);
         return true;
     }
 
@@ -103,7 +105,7 @@ public final class RayCaster {
 
     private double between(double ox, double oy, double oz, double dx, double dy, double dz, double end) {
         counts[RayKind.SHADOW.ordinal()]++;
-        seat(ox, oy, oz, dx, dy, dz, end);
+        ray.set(ox, oy, oz, dx, dy, dz, end);
         if (!scene.maybeTransparent()) {
             return intersector.occluded(ray) ? 0 : 1;
         }
@@ -116,28 +118,18 @@ public final class RayCaster {
         double remaining = end;
         while (intersector.intersect(ray)) {
             remaining -= ray.t;
-            scene.resolve(ray, veil);
+            scene.resolve(ray, refinement, veil);
             transmittance *= scene.bsdf(veil.shape).transparency(veil);
             if (transmittance == 0) {
                 return 0;
             }
             double o = veil.geometricCosine(dx, dy, dz) < 0 ? -veil.offset : veil.offset;
             counts[RayKind.SHADOW.ordinal()]++;
-            seat(veil.x + o * veil.gx, veil.y + o * veil.gy, veil.z + o * veil.gz, dx, dy, dz, remaining);
+            ray.set(veil.x + o * veil.gx, veil.y + o * veil.gy, veil.z + o * veil.gz, dx, dy, dz, remaining);
             if (!(remaining > 0)) {
                 break;
             }
         }
         return transmittance;
-    }
-
-    private void seat(double ox, double oy, double oz, double dx, double dy, double dz, double end) {
-        ray.ox = ox;
-        ray.oy = oy;
-        ray.oz = oz;
-        ray.dx = dx;
-        ray.dy = dy;
-        ray.dz = dz;
-        ray.tMax = end;
     }
 }
