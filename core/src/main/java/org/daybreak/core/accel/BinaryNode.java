@@ -12,9 +12,11 @@ final class BinaryNode {
     float maxZ;
 
     /** Children; both null in a leaf. */
-    @Nullable BinaryNode left;
+    @Nullable
+    BinaryNode left;
 
-    @Nullable BinaryNode right;
+    @Nullable
+    BinaryNode right;
 
     /** First record of the range and number of records below this node. */
     int start;

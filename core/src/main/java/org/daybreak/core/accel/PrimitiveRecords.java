@@ -165,9 +165,10 @@ final class PrimitiveRecords {
                 data[at + axis] = Affine.roundDown(box[axis]);
                 data[at + 4 + axis] = Affine.roundUp(box[axis + 3]);
                 if (!Float.isFinite(data[at + axis]) || !Float.isFinite(data[at + 4 + axis])) {
-                    throw new IllegalArgumentException((quadric ? "quadric " + i : "instance "
-                            + (i - set.quadricCount())) + " exceeds the range of single precision: from " + box[axis]
-                            + " to " + box[axis + 3] + " along " + "xyz".charAt(axis));
+                    throw new IllegalArgumentException(
+                            (quadric ? "quadric " + i : "instance " + (i - set.quadricCount()))
+                                    + " exceeds the range of single precision: from " + box[axis]
+                                    + " to " + box[axis + 3] + " along " + "xyz".charAt(axis));
                 }
             }
             data[at + 3] = Float.intBitsToFloat(triangles + i);

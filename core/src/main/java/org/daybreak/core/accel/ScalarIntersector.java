@@ -133,8 +133,7 @@ final class ScalarIntersector implements Intersector {
         }
 
         private void writeBox(int at, BinaryNode node) {
-            float margin =
-                    BoxWidening.margin(node.maxX - node.minX, node.maxY - node.minY, node.maxZ - node.minZ);
+            float margin = BoxWidening.margin(node.maxX - node.minX, node.maxY - node.minY, node.maxZ - node.minZ);
             nodes[at] = BoxWidening.down(node.minX, margin);
             nodes[at + 1] = BoxWidening.down(node.minY, margin);
             nodes[at + 2] = BoxWidening.down(node.minZ, margin);
@@ -304,8 +303,7 @@ final class ScalarIntersector implements Intersector {
 
     @Override
     public String describe() {
-        return String.format(
-                Locale.ROOT, "bvh2 scalar, %d primitives, %.1f MB", primitiveCount, memoryBytes() / 1e6);
+        return String.format(Locale.ROOT, "bvh2 scalar, %d primitives, %.1f MB", primitiveCount, memoryBytes() / 1e6);
     }
 
     @Override
