@@ -146,8 +146,7 @@ public final class BitmapTexture implements Texture {
     private double scalar(int pixel) {
         return channels == 1
                 ? image.value(pixel)
-                : Spectrum.luminance(
-                        image.value(3 * pixel), image.value(3 * pixel + 1), image.value(3 * pixel + 2));
+                : Spectrum.luminance(image.value(3 * pixel), image.value(3 * pixel + 1), image.value(3 * pixel + 2));
     }
 
     /** Position in pixels, brought to within one pixel of the first period so that no precision is lost later. */

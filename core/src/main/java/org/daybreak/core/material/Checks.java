@@ -9,8 +9,7 @@ final class Checks {
     /** Returns a refractive index after checking that it is positive and finite. */
     static double requireIor(String name, double ior) {
         if (!(ior > 0 && ior < Double.POSITIVE_INFINITY)) {
-            throw new IllegalArgumentException(
-                    name + " index of refraction must be positive and finite but is " + ior);
+            throw new IllegalArgumentException(name + " index of refraction must be positive and finite but is " + ior);
         }
         return ior;
     }

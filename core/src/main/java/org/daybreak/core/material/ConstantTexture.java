@@ -62,8 +62,7 @@ public final class ConstantTexture implements Texture {
 
     private static double requireValue(double value) {
         if (!(value >= 0 && value < Double.POSITIVE_INFINITY)) {
-            throw new IllegalArgumentException(
-                    "a texture's value must be finite and not negative but is " + value);
+            throw new IllegalArgumentException("a texture's value must be finite and not negative but is " + value);
         }
         return value;
     }

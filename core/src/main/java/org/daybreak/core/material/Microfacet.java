@@ -98,14 +98,11 @@ public final class Microfacet {
         if (woZ <= 0 || wiZ <= 0) {
             return 0;
         }
-        return 0.25
-                * distribution(kind, alpha, woX + wiX, woY + wiY, woZ + wiZ)
-                * maskingOverCosine(kind, alpha, woZ);
+        return 0.25 * distribution(kind, alpha, woX + wiX, woY + wiY, woZ + wiZ) * maskingOverCosine(kind, alpha, woZ);
     }
 
     /** Cosine of the angle between either direction and the half vector, where Fresnel's reflectance is taken. */
-    public static double halfAngleCosine(
-            double woX, double woY, double woZ, double wiX, double wiY, double wiZ) {
+    public static double halfAngleCosine(double woX, double woY, double woZ, double wiX, double wiY, double wiZ) {
         double x = woX + wiX;
         double y = woY + wiY;
         double z = woZ + wiZ;

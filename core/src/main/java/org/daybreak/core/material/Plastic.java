@@ -28,11 +28,7 @@ public final class Plastic implements Bsdf {
      * @throws IllegalArgumentException if an index is not positive and finite or a reflectance exceeds 1
      */
     public Plastic(
-            double intIor,
-            double extIor,
-            Texture diffuseReflectance,
-            Texture specularReflectance,
-            boolean nonlinear) {
+            double intIor, double extIor, Texture diffuseReflectance, Texture specularReflectance, boolean nonlinear) {
         this.eta = Checks.requireIor("interior", intIor) / Checks.requireIor("exterior", extIor);
         Reflectance diffuse = new Reflectance("diffuse reflectance", diffuseReflectance);
         this.specularReflectance = new Reflectance("specular reflectance", specularReflectance);

@@ -25,13 +25,11 @@ public final class RoughConductor implements Bsdf {
      *     Microfacet#MAX_ALPHA}], a part of the index is negative, not finite, or both are zero, or the reflectance
      *     exceeds 1
      */
-    public RoughConductor(
-            Microfacet.Kind kind, double alpha, Spectrum eta, Spectrum k, Texture specularReflectance) {
+    public RoughConductor(Microfacet.Kind kind, double alpha, Spectrum eta, Spectrum k, Texture specularReflectance) {
         this(kind, alpha, new ConductorFresnel(eta, k), specularReflectance);
     }
 
-    private RoughConductor(
-            Microfacet.Kind kind, double alpha, ConductorFresnel fresnel, Texture specularReflectance) {
+    private RoughConductor(Microfacet.Kind kind, double alpha, ConductorFresnel fresnel, Texture specularReflectance) {
         this.kind = kind;
         this.alpha = Microfacet.requireAlpha(alpha);
         this.fresnel = fresnel;
@@ -109,8 +107,7 @@ public final class RoughConductor implements Bsdf {
         out.setContinuous(density);
         double maskingIn = Microfacet.maskingOverCosine(kind, alpha, out.wiZ) * out.wiZ;
         specularReflectance.evaluateScaled(point, maskingIn, out.weight);
-        fresnel.multiply(
-                Microfacet.halfAngleCosine(woX, woY, woZ, out.wiX, out.wiY, out.wiZ), out.weight);
+        fresnel.multiply(Microfacet.halfAngleCosine(woX, woY, woZ, out.wiX, out.wiY, out.wiZ), out.weight);
         return true;
     }
 

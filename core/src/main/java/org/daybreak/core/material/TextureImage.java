@@ -23,12 +23,7 @@ public final class TextureImage {
     private final float[] decode;
 
     private TextureImage(
-            int width,
-            int height,
-            int channels,
-            byte @Nullable [] bytes,
-            float @Nullable [] floats,
-            float[] decode) {
+            int width, int height, int channels, byte @Nullable [] bytes, float @Nullable [] floats, float[] decode) {
         this.width = width;
         this.height = height;
         this.channels = channels;
