@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
-import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -98,15 +97,9 @@ public final class AtomicFiles {
 
     /** Unlike {@link Files#createTempFile} this leaves the permissions to the process's umask. */
     private static Path createBeside(Path place) throws IOException {
-        while (true) {
-            String name = ".daybreak-" + Long.toHexString(ThreadLocalRandom.current().nextLong()) + ".tmp";
-            try {
-                return Files.createFile(place.resolveSibling(name));
-            } catch (FileAlreadyExistsException e) {
-                // Taken by chance; the next random name is free.
-                continue;
-            }
-        }
+        String name =
+                ".daybreak-" + Long.toHexString(ThreadLocalRandom.current().nextLong()) + ".tmp";
+        return Files.createFile(place.resolveSibling(name));
     }
 
     private static void move(Path from, Path to) throws IOException {

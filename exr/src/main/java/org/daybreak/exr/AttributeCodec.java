@@ -26,8 +26,7 @@ final class AttributeCodec {
             case "double" -> new ExrAttribute.DoubleValue(in.getDouble());
             case "v2i" -> new ExrAttribute.V2iValue(new V2i(in.getInt(), in.getInt()));
             case "v2f" -> new ExrAttribute.V2fValue(getV2f(in));
-            case "box2i" ->
-                new ExrAttribute.Box2iValue(new Box2i(in.getInt(), in.getInt(), in.getInt(), in.getInt()));
+            case "box2i" -> new ExrAttribute.Box2iValue(new Box2i(in.getInt(), in.getInt(), in.getInt(), in.getInt()));
             case "box2f" ->
                 new ExrAttribute.Box2fValue(new Box2f(in.getFloat(), in.getFloat(), in.getFloat(), in.getFloat()));
             case "chromaticities" ->

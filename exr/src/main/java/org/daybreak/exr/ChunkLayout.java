@@ -2,6 +2,7 @@ package org.daybreak.exr;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.file.Path;
 import java.util.List;
 
 /**
@@ -28,15 +29,15 @@ final class ChunkLayout {
     /**
      * Lays an image out.
      *
-     * @throws IllegalArgumentException if a channel does not fit an array or a chunk does not fit its length field; the
-     *     message is a reason without a file name
+     * @param file for the error
+     * @throws ImageFileException if a channel does not fit an array or a chunk does not fit its length field
      */
-    static ChunkLayout of(ExrHeader header, Compression compression) {
+    static ChunkLayout of(Path file, ExrHeader header, Compression compression) throws ImageFileException {
         long width = header.width();
         long height = header.height();
         // Both are below 2^33, so the product is only formed when it cannot wrap.
         if (width > Integer.MAX_VALUE - 8 || height > (Integer.MAX_VALUE - 8) / width) {
-            throw new IllegalArgumentException("an image of " + width + " x " + height + " pixels is too large");
+            throw new ImageFileException(file, "an image of " + width + " x " + height + " pixels is too large");
         }
         long bytesPerPixel = 0;
         for (ExrChannel channel : header.channels()) {
@@ -45,8 +46,10 @@ final class ChunkLayout {
         long lines = Math.min(compression.linesPerChunk(), height);
         long chunkBytes = bytesPerPixel * width * lines;
         if (chunkBytes > Integer.MAX_VALUE - 64) {
-            throw new IllegalArgumentException("rows of " + width + " pixels of " + bytesPerPixel
-                    + " bytes are too large: a chunk would hold " + chunkBytes + " bytes");
+            throw new ImageFileException(
+                    file,
+                    "rows of " + width + " pixels of " + bytesPerPixel + " bytes are too large: a chunk would hold "
+                            + chunkBytes + " bytes");
         }
         return new ChunkLayout(header, compression, (int) (bytesPerPixel * width));
     }

@@ -34,7 +34,7 @@ public record ExrHeader(
         Map<String, ExrAttribute> attributes) {
 
     /** Names that the format itself needs; they are fields of this record or follow from it. */
-    static final Set<String> RESERVED_NAMES = Set.of(
+    private static final Set<String> RESERVED_NAMES = Set.of(
             "channels",
             "compression",
             "dataWindow",
@@ -142,7 +142,8 @@ public record ExrHeader(
         for (int i = 0; i < channels.size(); i++) {
             String name = channels.get(i).name();
             checkName("channel", name);
-            int order = i == 0 ? -1 : Utf8.BYTE_ORDER.compare(channels.get(i - 1).name(), name);
+            int order =
+                    i == 0 ? -1 : Utf8.BYTE_ORDER.compare(channels.get(i - 1).name(), name);
             if (order == 0) {
                 throw new IllegalArgumentException("channel '" + name + "' appears twice");
             }

@@ -64,12 +64,7 @@ public final class ExrReader {
             if (!header.compression().isSupported()) {
                 throw source.error(header.compression().notSupported());
             }
-            ChunkLayout layout;
-            try {
-                layout = ChunkLayout.of(header, header.compression());
-            } catch (IllegalArgumentException e) {
-                throw new ImageFileException(file, e.getMessage(), e);
-            }
+            ChunkLayout layout = ChunkLayout.of(file, header, header.compression());
             checkSize(source, header, layout);
             long[] offsets = readOffsets(source, layout);
             ExrImage image = allocate(source, header, layout);
@@ -86,8 +81,8 @@ public final class ExrReader {
             mostRawBytes = codec.maxRawLength(source.remaining());
         }
         if (leastBytes > source.remaining() || layout.rawBytes() > mostRawBytes) {
-            throw source.error("the file is truncated or its header damaged: " + source.length()
-                    + " bytes cannot hold " + header.width() + " x " + header.height() + " pixels");
+            throw source.error("the file is truncated or its header damaged: " + source.length() + " bytes cannot hold "
+                    + header.width() + " x " + header.height() + " pixels");
         }
     }
 
@@ -149,8 +144,7 @@ public final class ExrReader {
         return offsets;
     }
 
-    private static void readChunks(
-            FileSource source, ChunkLayout layout, long[] offsets, ExrImage image, int threads)
+    private static void readChunks(FileSource source, ChunkLayout layout, long[] offsets, ExrImage image, int threads)
             throws ImageFileException {
         ChunkWorkers workers = new ChunkWorkers(threads, offsets.length, layout.rawBytes());
         Slot[] slots = new Slot[workers.slotCount()];

@@ -36,12 +36,7 @@ public final class ExrWriter {
      * @throws ImageFileException if the file cannot be written, or a chunk of rows would hold 2 GiB
      */
     public static void write(Path file, ExrImage image, ExrWriteOptions options) throws ImageFileException {
-        ChunkLayout layout;
-        try {
-            layout = ChunkLayout.of(image.header(), options.compression());
-        } catch (IllegalArgumentException e) {
-            throw new ImageFileException(file, "cannot be written: " + e.getMessage(), e);
-        }
+        ChunkLayout layout = ChunkLayout.of(file, image.header(), options.compression());
         AtomicFiles.write(file, target -> write(target, image, layout, options));
     }
 
@@ -50,8 +45,8 @@ public final class ExrWriter {
         byte[] header = HeaderWriter.write(image.header(), options.compression());
         file.write(header);
         // Holds the place of the offsets, which are known when all chunks are packed.
-        ByteBuffer offsets =
-                ByteBuffer.allocate(Math.multiplyExact(layout.chunkCount(), Long.BYTES)).order(ByteOrder.LITTLE_ENDIAN);
+        ByteBuffer offsets = ByteBuffer.allocate(Math.multiplyExact(layout.chunkCount(), Long.BYTES))
+                .order(ByteOrder.LITTLE_ENDIAN);
         file.write(offsets.array());
         writeChunks(file, image, layout, options, offsets);
         file.seek(header.length);

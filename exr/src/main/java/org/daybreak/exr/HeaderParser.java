@@ -82,8 +82,8 @@ final class HeaderParser {
             String type = text(source.readNulTerminated(maxNameBytes, "the type of " + what), "the type of " + what);
             int size = source.readInt("the size of " + what);
             if (size < 0 || size > source.remaining()) {
-                throw source.error("the header is damaged: " + what + " claims "
-                        + Integer.toUnsignedString(size) + " bytes");
+                throw source.error(
+                        "the header is damaged: " + what + " claims " + Integer.toUnsignedString(size) + " bytes");
             }
             takeAttribute(name, type, source.readBytes(size, what), maxNameBytes);
         }
@@ -102,10 +102,11 @@ final class HeaderParser {
             }
             case "lineOrder" -> {
                 int code = oneByte(name, type, bytes);
-                if (code >= LineOrder.values().length) {
+                LineOrder known = LineOrder.ofCode(code);
+                if (known == null) {
                     throw source.error("line order " + code + " is not valid for a scanline image");
                 }
-                lineOrder = once(name, lineOrder, LineOrder.values()[code]);
+                lineOrder = once(name, lineOrder, known);
             }
             case "dataWindow" -> dataWindow = once(name, dataWindow, window(name, type, bytes));
             case "displayWindow" -> displayWindow = once(name, displayWindow, window(name, type, bytes));
@@ -167,8 +168,7 @@ final class HeaderParser {
                 throw source.error("the header is damaged: the channel list ends early");
             }
             if (end - start > maxNameBytes) {
-                throw source.error(
-                        "the header is damaged: a channel name is longer than " + maxNameBytes + " bytes");
+                throw source.error("the header is damaged: a channel name is longer than " + maxNameBytes + " bytes");
             }
             byte[] nameBytes = new byte[end - start];
             in.get(nameBytes);
@@ -180,14 +180,15 @@ final class HeaderParser {
             in.getShort();
             int xSampling = in.getInt();
             int ySampling = in.getInt();
-            if (typeCode < 0 || typeCode >= PixelType.values().length) {
+            PixelType pixelType = PixelType.ofCode(typeCode);
+            if (pixelType == null) {
                 throw source.error("channel '" + name + "' has the unknown pixel type " + typeCode);
             }
             if (xSampling != 1 || ySampling != 1) {
                 throw source.error("subsampled channels are not supported (channel '" + name + "' is sampled every "
                         + xSampling + " x " + ySampling + " pixels)");
             }
-            list.add(new ExrChannel(name, PixelType.values()[typeCode], perceptuallyLinear));
+            list.add(new ExrChannel(name, pixelType, perceptuallyLinear));
         }
         if (in.remaining() != 1) {
             throw source.error("the header is damaged: the channel list does not end where it should");
@@ -227,8 +228,8 @@ final class HeaderParser {
     }
 
     private ImageFileException wrongType(String name, String type, String expected) {
-        return source.error("the header is damaged: attribute '" + name + "' of type '" + type
-                + "' is not a valid " + expected);
+        return source.error(
+                "the header is damaged: attribute '" + name + "' of type '" + type + "' is not a valid " + expected);
     }
 
     private ImageFileException twice(String name) {

@@ -23,7 +23,7 @@ final class HeaderWriter {
         writer.put("compression", "compression", new byte[] {(byte) compression.code()});
         writer.put("dataWindow", new ExrAttribute.Box2iValue(header.dataWindow()));
         writer.put("displayWindow", new ExrAttribute.Box2iValue(header.displayWindow()));
-        writer.put("lineOrder", "lineOrder", new byte[] {(byte) LineOrder.INCREASING_Y.ordinal()});
+        writer.put("lineOrder", "lineOrder", new byte[] {(byte) LineOrder.INCREASING_Y.code()});
         writer.put("pixelAspectRatio", new ExrAttribute.FloatValue(header.pixelAspectRatio()));
         writer.put("screenWindowCenter", new ExrAttribute.V2fValue(header.screenWindowCenter()));
         writer.put("screenWindowWidth", new ExrAttribute.FloatValue(header.screenWindowWidth()));
@@ -53,7 +53,7 @@ final class HeaderWriter {
         HeaderWriter list = new HeaderWriter();
         for (ExrChannel channel : header.channels()) {
             list.putName(channel.name());
-            list.putInt(channel.type().ordinal());
+            list.putInt(channel.type().code());
             // One byte of flag and three reserved ones.
             list.putInt(channel.perceptuallyLinear() ? 1 : 0);
             list.putInt(1);

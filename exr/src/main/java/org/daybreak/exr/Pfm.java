@@ -45,8 +45,7 @@ public final class Pfm {
             }
             float[] samples = source.newFloats((long) width * height * components);
             byte[] row = source.newBytes(rowBytes);
-            ByteBuffer bytes =
-                    ByteBuffer.wrap(row).order(scale < 0 ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+            ByteBuffer bytes = ByteBuffer.wrap(row).order(scale < 0 ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
             int rowLength = width * components;
             for (int y = height - 1; y >= 0; y--) {
                 source.read(row, 0, row.length, "a row");

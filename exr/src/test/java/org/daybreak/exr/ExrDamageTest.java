@@ -108,8 +108,7 @@ class ExrDamageTest {
                     TestPatterns.putInt(bytes, place + 4 * i, window[i]);
                 }
                 ImageFileException e = assertThrows(
-                        ImageFileException.class,
-                        () -> ExrReader.read(TestPatterns.put(directory, "huge.exr", bytes)));
+                        ImageFileException.class, () -> ExrReader.read(TestPatterns.put(directory, "huge.exr", bytes)));
                 assertTrue(e.reason().contains("large") || e.reason().contains("cannot hold"), e.reason());
             }
         }
@@ -189,8 +188,7 @@ class ExrDamageTest {
             byte[] bytes = TestPatterns.fixture(name);
             int table = offsetTable(bytes, 3);
             Arrays.fill(bytes, table, table + 24, (byte) 0);
-            TestPatterns.assertPattern(
-                    "smooth", ExrReader.read(TestPatterns.put(directory, "zeros.exr", bytes)));
+            TestPatterns.assertPattern("smooth", ExrReader.read(TestPatterns.put(directory, "zeros.exr", bytes)));
         }
     }
 

@@ -34,7 +34,9 @@ class ExrFixturesTest {
                 String typeName = type.name().toLowerCase(Locale.ROOT);
                 ExrImage image = read(compression + "_" + typeName + "_" + pattern + ".exr");
                 ExrHeader header = image.header();
-                assertEquals(compression.toUpperCase(Locale.ROOT), header.compression().name());
+                assertEquals(
+                        compression.toUpperCase(Locale.ROOT),
+                        header.compression().name());
                 assertEquals(new Box2i(0, 0, 16, 34), header.dataWindow());
                 assertEquals(header.dataWindow(), header.displayWindow());
                 assertEquals(List.of("B", "G", "R"), header.channelNames());
@@ -93,8 +95,7 @@ class ExrFixturesTest {
         assertEquals(new ExrAttribute.V2fValue(new V2f(0.25f, -4)), attributes.get("aV2f"));
         assertEquals(new ExrAttribute.Box2iValue(new Box2i(1, 2, 3, 5)), attributes.get("aBox2i"));
         assertEquals(new ExrAttribute.Box2fValue(new Box2f(0.5f, 1, 2, 3)), attributes.get("aBox2f"));
-        assertEquals(
-                new ExrAttribute.ChromaticitiesValue(Chromaticities.REC_709), attributes.get("chromaticities"));
+        assertEquals(new ExrAttribute.ChromaticitiesValue(Chromaticities.REC_709), attributes.get("chromaticities"));
         ExrAttribute.Opaque matrix = assertInstanceOf(ExrAttribute.Opaque.class, attributes.get("aMatrix"));
         assertEquals("m33f", matrix.typeName());
         assertEquals(36, matrix.bytes().length);
@@ -126,15 +127,16 @@ class ExrFixturesTest {
                 assertEquals(a.screenWindowCenter(), b.screenWindowCenter());
                 assertEquals(a.screenWindowWidth(), b.screenWindowWidth());
                 assertEquals(a.channels(), b.channels());
-                assertEquals(List.copyOf(a.attributes().entrySet()), List.copyOf(b.attributes().entrySet()));
+                assertEquals(
+                        List.copyOf(a.attributes().entrySet()),
+                        List.copyOf(b.attributes().entrySet()));
                 TestPatterns.assertPattern(name.contains("noise") ? "noise" : "smooth", second);
             }
         }
     }
 
     @ParameterizedTest
-    @ValueSource(
-            strings = {"RLE", "PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB", "HTJ2K256", "HTJ2K32", "ZSTD"})
+    @ValueSource(strings = {"RLE", "PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB", "HTJ2K256", "HTJ2K32", "ZSTD"})
     void compressionsThatAreNotSupportedAreRefusedByName(String compression) throws IOException {
         String name = "refused_" + compression.toLowerCase(Locale.ROOT) + ".exr";
         Path file = TestPatterns.put(directory, name, TestPatterns.fixture(name));
@@ -153,8 +155,7 @@ class ExrFixturesTest {
     }
 
     static void assertReason(Path file, String reason) {
-        ImageFileException e = assertThrows(
-                ImageFileException.class, () -> ExrReader.read(file));
+        ImageFileException e = assertThrows(ImageFileException.class, () -> ExrReader.read(file));
         assertTrue(e.reason().contains(reason), e.reason());
         assertEquals(file + ": " + e.reason(), e.getMessage());
     }

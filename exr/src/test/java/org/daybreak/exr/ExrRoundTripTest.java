@@ -159,8 +159,7 @@ class ExrRoundTripTest {
                 "channel 'Y' of type UINT needs integers",
                 message(() -> builder.channel("Y", PixelType.UINT, new float[4])));
         builder.channel("Y", PixelType.HALF, new float[4]);
-        assertEquals(
-                "channel 'Y' appears twice", message(() -> builder.channel("Y", PixelType.HALF, new float[4])));
+        assertEquals("channel 'Y' appears twice", message(() -> builder.channel("Y", PixelType.HALF, new float[4])));
         assertEquals(
                 "layer 'a' has 4 samples instead of 2 x 2 x 3",
                 message(() -> builder.interleavedLayer("a", PixelType.HALF, new float[4], "R", "G", "B")));

@@ -11,9 +11,8 @@ class HalfTest {
     private static double value(int half) {
         int exponent = (half >> 10) & 31;
         int mantissa = half & 0x3ff;
-        double magnitude = exponent == 0
-                ? Math.scalb((double) mantissa, -24)
-                : Math.scalb(1024.0 + mantissa, exponent - 25);
+        double magnitude =
+                exponent == 0 ? Math.scalb((double) mantissa, -24) : Math.scalb(1024.0 + mantissa, exponent - 25);
         return (half & 0x8000) != 0 ? -magnitude : magnitude;
     }
 

@@ -25,7 +25,8 @@ class OfficialLibraryTest {
     @Timeout(120)
     void theOfficialLibraryReadsOurFilesExactly() throws IOException, InterruptedException {
         assumeTrue(
-                pythonHasOpenExr(), "skipped: python3 with the wheels OpenEXR and numpy is not installed on this machine");
+                pythonHasOpenExr(),
+                "skipped: python3 with the wheels OpenEXR and numpy is not installed on this machine");
         int files = 0;
         for (Compression compression : List.of(Compression.NONE, Compression.ZIPS, Compression.ZIP)) {
             for (PixelType type : PixelType.values()) {
@@ -49,8 +50,7 @@ class OfficialLibraryTest {
         }
         writeLayers();
         files++;
-        Process python = new ProcessBuilder(
-                        "python3", "-B", "src/test/python/check_written.py", directory.toString())
+        Process python = new ProcessBuilder("python3", "-B", "src/test/python/check_written.py", directory.toString())
                 .redirectErrorStream(true)
                 .start();
         String output = new String(python.getInputStream().readAllBytes(), StandardCharsets.UTF_8);

@@ -82,8 +82,7 @@ class PfmTest {
                 PfmImage image = Pfm.read(target);
                 assertEquals(0.5f, image.scale());
                 for (int i = 0; i < samples.length; i++) {
-                    assertEquals(
-                            Float.floatToRawIntBits(samples[i]), Float.floatToRawIntBits(image.samples()[i]));
+                    assertEquals(Float.floatToRawIntBits(samples[i]), Float.floatToRawIntBits(image.samples()[i]));
                 }
             }
         }

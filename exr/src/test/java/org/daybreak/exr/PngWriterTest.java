@@ -52,9 +52,9 @@ class PngWriterTest {
     @Test
     void valuesBeyondTheRangeAreClamped() throws IOException {
         Path file = directory.resolve("clamped.png");
-        PngWriter.write(file, 2, 1, new float[] {
-            Float.NaN, -1, Float.NEGATIVE_INFINITY, Float.POSITIVE_INFINITY, 1e30f, 1.001f
-        });
+        PngWriter.write(
+                file, 2, 1, new float[] {Float.NaN, -1, Float.NEGATIVE_INFINITY, Float.POSITIVE_INFINITY, 1e30f, 1.001f
+                });
         BufferedImage image = ImageIO.read(file.toFile());
         assertEquals(0x000000, image.getRGB(0, 0) & 0xffffff);
         assertEquals(0xffffff, image.getRGB(1, 0) & 0xffffff);

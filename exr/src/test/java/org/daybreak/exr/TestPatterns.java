@@ -126,8 +126,8 @@ final class TestPatterns {
     }
 
     static List<String> allFixtures() {
-        List<String> names = new ArrayList<>(
-                List.of("one_pixel.exr", "negative_origin.exr", "decreasing.exr", "layers.exr"));
+        List<String> names =
+                new ArrayList<>(List.of("one_pixel.exr", "negative_origin.exr", "decreasing.exr", "layers.exr"));
         for (String compression : List.of("none", "zips", "zip")) {
             for (String type : List.of("half", "float", "uint")) {
                 names.add(compression + "_" + type + "_smooth.exr");

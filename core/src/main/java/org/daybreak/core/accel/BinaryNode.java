@@ -1,5 +1,6 @@
 package org.daybreak.core.accel;
 
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /** Node of the binary tree from which the traversal layouts are made; garbage after that. */
@@ -22,6 +23,16 @@ final class BinaryNode {
     int start;
 
     int count;
+
+    /** Left child of an inner node. */
+    BinaryNode left() {
+        return Objects.requireNonNull(left);
+    }
+
+    /** Right child of an inner node. */
+    BinaryNode right() {
+        return Objects.requireNonNull(right);
+    }
 
     boolean isLeaf() {
         return left == null;

@@ -62,6 +62,11 @@ final class PrimitiveRecords {
         return new PrimitiveRecords(set, data, count, scale, bounds);
     }
 
+    /** Number of the primitive in a record. */
+    int number(int record) {
+        return Float.floatToRawIntBits(data[STRIDE * record + 3]);
+    }
+
     /** Scaled coordinate of a vertex. */
     static float scaled(float coordinate, double scale) {
         return (float) (coordinate * scale);
