@@ -17,6 +17,9 @@ import org.daybreak.core.sampling.Warps;
  * and shear distort the view and the lens alike.
  */
 public final class PerspectiveCamera implements Camera {
+    /** Squared radius, relative to the lens, up to which rounding can put a point of its rim. */
+    private static final double RIM = 1 + 1e-6;
+
     private final int width;
     private final int height;
     private final double tanX;
@@ -224,8 +227,13 @@ public final class PerspectiveCamera implements Camera {
             double lx = ox - originX;
             double ly = oy - originY;
             double lz = oz - originZ;
-            shiftX = planeX(lx, ly, lz) / focusDistance;
-            shiftY = planeY(lx, ly, lz) / focusDistance;
+            double lensX = planeX(lx, ly, lz);
+            double lensY = planeY(lx, ly, lz);
+            if (lensX * lensX + lensY * lensY > RIM * apertureRadius * apertureRadius) {
+                return false;
+            }
+            shiftX = lensX / focusDistance;
+            shiftY = lensY / focusDistance;
         }
         double filmX = filmX(planeX(dx, dy, dz) / depth + shiftX);
         double filmY = filmY(planeY(dx, dy, dz) / depth + shiftY);

@@ -48,7 +48,7 @@ final class CylinderSampler implements SurfaceSampler {
                 + 2 * Math.sqrt(ha * ha + hb * hb);
         double radius = Math.sqrt(squaredRadius) * (1 + 1e-9);
         moments = builder.build(c[0], c[1], c[2], radius);
-        offset = SurfaceFrames.offset(c[0], c[1], c[2], radius);
+        offset = SurfaceFrames.quadricOffset(c[0], c[1], c[2], radius);
     }
 
     @Override

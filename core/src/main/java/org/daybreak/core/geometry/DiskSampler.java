@@ -53,7 +53,7 @@ final class DiskSampler implements SurfaceSampler {
         normalY = side * ky / cross;
         normalZ = side * kz / cross;
         squaredRadius = squaredLongestRadius(ax, ay, az, bx, by, bz);
-        offset = SurfaceFrames.offset(centreX, centreY, centreZ, Math.sqrt(squaredRadius));
+        offset = SurfaceFrames.quadricOffset(centreX, centreY, centreZ, Math.sqrt(squaredRadius));
     }
 
     /** Square of the longer half-axis of the ellipse a·cos φ + b·sin φ. */

@@ -68,7 +68,7 @@ final class MeshSampler implements SurfaceSampler {
         }
         double radius = Math.sqrt(squaredRadius) * (1 + 1e-9);
         moments = builder.build(cx, cy, cz, radius);
-        offset = SurfaceFrames.offset(cx, cy, cz, radius);
+        offset = SurfaceFrames.triangleOffset(cx, cy, cz, radius);
     }
 
     private static double[] worldPositions(TriangleMesh mesh, Transform toWorld) {

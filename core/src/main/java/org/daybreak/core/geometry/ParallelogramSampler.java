@@ -71,7 +71,7 @@ final class ParallelogramSampler implements SurfaceSampler {
         centreY = cornerY + 0.5 * (ay + by);
         centreZ = cornerZ + 0.5 * (az + bz);
         squaredRadius = 0.25 * (lengthA * lengthA + lengthB * lengthB) + 0.5 * Math.abs(dot);
-        offset = SurfaceFrames.offset(centreX, centreY, centreZ, Math.sqrt(squaredRadius));
+        offset = SurfaceFrames.triangleOffset(centreX, centreY, centreZ, Math.sqrt(squaredRadius));
     }
 
     @Override

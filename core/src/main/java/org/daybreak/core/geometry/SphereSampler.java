@@ -44,7 +44,7 @@ final class SphereSampler implements SurfaceSampler {
         inverse = toWorld.inverse().rows();
         radius = similarity ? Math.cbrt(volume) : LinearMaps.largestStretch(m);
         area = similarity ? UNIT_SPHERE_AREA * radius * radius : quadrature();
-        offset = SurfaceFrames.offset(centreX, centreY, centreZ, radius);
+        offset = SurfaceFrames.quadricOffset(centreX, centreY, centreZ, radius);
     }
 
     @Override

@@ -2,11 +2,11 @@ package org.daybreak.core.geometry;
 
 /** Fills what all samplers fill alike. */
 final class SurfaceFrames {
-    /**
-     * Rounding of positions and of the single-precision traversal, relative to the coordinates: a vertex is off by
-     * 2⁻²⁴, a hit by a few times that.
-     */
-    private static final double RELATIVE_ERROR = 0x1p-20;
+    /** Rounding unit of the single precision that triangles are tested in. */
+    private static final double TRIANGLE_ROUNDING = 0x1p-24;
+
+    /** Rounding of the double precision that quadrics are tested in, with room for ill-conditioned maps. */
+    private static final double QUADRIC_ROUNDING = 0x1p-40;
 
     private SurfaceFrames() {}
 
@@ -34,10 +34,21 @@ final class SurfaceFrames {
         point.nz = nz;
     }
 
-    /** Offset for all points of a surface within a sphere. */
-    static double offset(double centreX, double centreY, double centreZ, double radius) {
-        return RELATIVE_ERROR
-                * (Math.max(Math.abs(centreX), Math.max(Math.abs(centreY), Math.abs(centreZ))) + radius);
+    /**
+     * Offset for all points of triangles within a sphere: the bound of {@code core.accel.HitRefinement}, 4 ε of the
+     * coordinates and 16 ε of the longest edge along an axis, which is at most the diameter.
+     */
+    static double triangleOffset(double centreX, double centreY, double centreZ, double radius) {
+        return TRIANGLE_ROUNDING * (4 * magnitude(centreX, centreY, centreZ, radius) + 32 * radius);
+    }
+
+    /** Offset for all points of quadrics within a sphere: as for triangles, but for the precision. */
+    static double quadricOffset(double centreX, double centreY, double centreZ, double radius) {
+        return QUADRIC_ROUNDING * (4 * magnitude(centreX, centreY, centreZ, radius) + 32 * radius);
+    }
+
+    private static double magnitude(double centreX, double centreY, double centreZ, double radius) {
+        return Math.max(Math.abs(centreX), Math.max(Math.abs(centreY), Math.abs(centreZ))) + radius;
     }
 
     /** Azimuth of (x, y) as a fraction of the full turn, in [0, 1). */
