@@ -24,6 +24,14 @@ public interface Bsdf {
     boolean connectable();
 
     /**
+     * True if some non-delta lobe may scatter to the side of the surface opposite to {@code wo}: lights behind the surface
+     * then count when one is chosen. Materials that only reflect should say false.
+     */
+    default boolean transmits() {
+        return true;
+    }
+
+    /**
      * Evaluates all non-delta lobes for a pair of directions.
      *
      * @param point the surface point, for textures
