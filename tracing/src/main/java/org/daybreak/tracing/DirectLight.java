@@ -78,7 +78,7 @@ final class DirectLight {
             double u,
             double v,
             Spectrum radiance) {
-        double side = bsdf.transmits() ? 0 : Math.signum(p.localZ(woX, woY, woZ));
+        double side = bsdf.transmissive() ? 0 : Math.signum(p.localZ(woX, woY, woZ));
         nx = side * p.nx;
         ny = side * p.ny;
         nz = side * p.nz;

@@ -1,5 +1,6 @@
 package org.daybreak.core.accel;
 
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /** Node of the binary tree from which the traversal layouts are made; garbage after that. */
@@ -12,14 +13,26 @@ final class BinaryNode {
     float maxZ;
 
     /** Children; both null in a leaf. */
-    @Nullable BinaryNode left;
+    @Nullable
+    BinaryNode left;
 
-    @Nullable BinaryNode right;
+    @Nullable
+    BinaryNode right;
 
     /** First record of the range and number of records below this node. */
     int start;
 
     int count;
+
+    /** Left child of an inner node. */
+    BinaryNode left() {
+        return Objects.requireNonNull(left);
+    }
+
+    /** Right child of an inner node. */
+    BinaryNode right() {
+        return Objects.requireNonNull(right);
+    }
 
     boolean isLeaf() {
         return left == null;

@@ -132,15 +132,11 @@ final class BinnedSahBuilder {
     private int countOthers(BinaryNode node) {
         int others = 0;
         for (int i = node.start; i < node.start + node.count; i++) {
-            if (number(i) >= triangleCount) {
+            if (records.number(i) >= triangleCount) {
                 others++;
             }
         }
         return others;
-    }
-
-    private int number(int record) {
-        return Float.floatToRawIntBits(data[PrimitiveRecords.STRIDE * record + 3]);
     }
 
     /** Bounds of the node, and of (twice) the centroids in it. */
@@ -378,10 +374,10 @@ final class BinnedSahBuilder {
         int left = node.start;
         int right = node.start + node.count - 1;
         while (true) {
-            while (left <= right && number(left) < triangleCount) {
+            while (left <= right && records.number(left) < triangleCount) {
                 left++;
             }
-            while (left <= right && number(right) >= triangleCount) {
+            while (left <= right && records.number(right) >= triangleCount) {
                 right--;
             }
             if (left >= right) {

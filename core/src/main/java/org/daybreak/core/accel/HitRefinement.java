@@ -89,7 +89,11 @@ public final class HitRefinement {
         float[] positions = set.positions();
         int[] indices = set.triangles();
         triangle(
-                positions, 3 * indices[3 * primitive], 3 * indices[3 * primitive + 1], 3 * indices[3 * primitive + 2], ray);
+                positions,
+                3 * indices[3 * primitive],
+                3 * indices[3 * primitive + 1],
+                3 * indices[3 * primitive + 2],
+                ray);
     }
 
     /**

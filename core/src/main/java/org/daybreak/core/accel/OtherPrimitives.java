@@ -36,16 +36,7 @@ public final class OtherPrimitives {
     public boolean intersect(Ray ray, int index, double tMax) {
         if (index < quadricCount) {
             double t = Quadric.intersect(
-                    kinds[index],
-                    worldToObject,
-                    12 * index,
-                    ray.ox,
-                    ray.oy,
-                    ray.oz,
-                    ray.dx,
-                    ray.dy,
-                    ray.dz,
-                    tMax);
+                    kinds[index], worldToObject, 12 * index, ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, tMax);
             if (t < tMax) {
                 ray.t = t;
                 ray.primitive = triangleCount + index;

@@ -62,6 +62,11 @@ final class PrimitiveRecords {
         return new PrimitiveRecords(set, data, count, scale, bounds);
     }
 
+    /** Number of the primitive in a record. */
+    int number(int record) {
+        return Float.floatToRawIntBits(data[STRIDE * record + 3]);
+    }
+
     /** Scaled coordinate of a vertex. */
     static float scaled(float coordinate, double scale) {
         return (float) (coordinate * scale);
@@ -165,9 +170,10 @@ final class PrimitiveRecords {
                 data[at + axis] = Affine.roundDown(box[axis]);
                 data[at + 4 + axis] = Affine.roundUp(box[axis + 3]);
                 if (!Float.isFinite(data[at + axis]) || !Float.isFinite(data[at + 4 + axis])) {
-                    throw new IllegalArgumentException((quadric ? "quadric " + i : "instance "
-                            + (i - set.quadricCount())) + " exceeds the range of single precision: from " + box[axis]
-                            + " to " + box[axis + 3] + " along " + "xyz".charAt(axis));
+                    throw new IllegalArgumentException(
+                            (quadric ? "quadric " + i : "instance " + (i - set.quadricCount()))
+                                    + " exceeds the range of single precision: from " + box[axis]
+                                    + " to " + box[axis + 3] + " along " + "xyz".charAt(axis));
                 }
             }
             data[at + 3] = Float.intBitsToFloat(triangles + i);

@@ -27,8 +27,7 @@ public final class PrimitiveSet {
      */
     public PrimitiveSet(float[] positions, int[] triangles, Quadric[] quadrics, Instance[] instances) {
         if (positions.length % 3 != 0) {
-            throw new IllegalArgumentException(
-                    "number of vertex coordinates is no multiple of 3: " + positions.length);
+            throw new IllegalArgumentException("number of vertex coordinates is no multiple of 3: " + positions.length);
         }
         if (triangles.length % 3 != 0) {
             throw new IllegalArgumentException("number of triangle corners is no multiple of 3: " + triangles.length);

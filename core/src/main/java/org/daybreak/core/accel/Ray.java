@@ -31,8 +31,8 @@ public final class Ray {
     /** The ray as {@link #prepare} leaves it for the traversal. For implementations of {@link Intersector} only. */
     public final PreparedRay prepared = new PreparedRay();
 
-    /** Room for one vector of distances. For implementations of {@link Intersector} only. */
-    public final float[] lanes = new float[16];
+    /** Room for one vector of distances as int bits. For implementations of {@link Intersector} only. */
+    public final int[] lanes = new int[16];
 
     private long[] stack = new long[256];
 

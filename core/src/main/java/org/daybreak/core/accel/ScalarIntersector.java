@@ -75,7 +75,7 @@ final class ScalarIntersector implements Intersector {
             nodes = new float[Math.multiplyExact(NODE, tree == null ? 0 : innerNodes(tree))];
             int kept = 0;
             for (int i = 0; i < records.count; i++) {
-                if (number(i) < triangleCount) {
+                if (records.number(i) < triangleCount) {
                     kept++;
                 }
             }
@@ -85,22 +85,16 @@ final class ScalarIntersector implements Intersector {
         }
 
         private static int innerNodes(BinaryNode node) {
-            BinaryNode left = node.left;
-            BinaryNode right = node.right;
-            return left == null || right == null ? 0 : 1 + innerNodes(left) + innerNodes(right);
-        }
-
-        private int number(int record) {
-            return Float.floatToRawIntBits(records.data[PrimitiveRecords.STRIDE * record + 3]);
+            return node.isLeaf() ? 0 : 1 + innerNodes(node.left()) + innerNodes(node.right());
         }
 
         private int write(BinaryNode node, int level) {
             depth = Math.max(depth, level);
-            BinaryNode left = node.left;
-            BinaryNode right = node.right;
-            if (left == null || right == null) {
+            if (node.isLeaf()) {
                 return writeLeaf(node);
             }
+            BinaryNode left = node.left();
+            BinaryNode right = node.right();
             int at = nodeEnd;
             nodeEnd += NODE;
             writeBox(at, left);
@@ -111,14 +105,14 @@ final class ScalarIntersector implements Intersector {
         }
 
         private int writeLeaf(BinaryNode node) {
-            if (number(node.start) >= triangleCount) {
-                return otherLeaf(number(node.start) - triangleCount);
+            if (records.number(node.start) >= triangleCount) {
+                return otherLeaf(records.number(node.start) - triangleCount);
             }
             int start = triangleEnd;
             float[] positions = records.set.positions();
             int[] corners = records.set.triangles();
             for (int i = 0; i < node.count; i++) {
-                int number = number(node.start + i);
+                int number = records.number(node.start + i);
                 numbers[triangleEnd] = number;
                 for (int corner = 0; corner < 3; corner++) {
                     int vertex = 3 * corners[3 * number + corner];
@@ -133,8 +127,7 @@ final class ScalarIntersector implements Intersector {
         }
 
         private void writeBox(int at, BinaryNode node) {
-            float margin =
-                    BoxWidening.margin(node.maxX - node.minX, node.maxY - node.minY, node.maxZ - node.minZ);
+            float margin = BoxWidening.margin(node.maxX - node.minX, node.maxY - node.minY, node.maxZ - node.minZ);
             nodes[at] = BoxWidening.down(node.minX, margin);
             nodes[at + 1] = BoxWidening.down(node.minY, margin);
             nodes[at + 2] = BoxWidening.down(node.minZ, margin);
@@ -304,8 +297,7 @@ final class ScalarIntersector implements Intersector {
 
     @Override
     public String describe() {
-        return String.format(
-                Locale.ROOT, "bvh2 scalar, %d primitives, %.1f MB", primitiveCount, memoryBytes() / 1e6);
+        return String.format(Locale.ROOT, "bvh2 scalar, %d primitives, %.1f MB", primitiveCount, memoryBytes() / 1e6);
     }
 
     @Override

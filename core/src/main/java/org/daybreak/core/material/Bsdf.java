@@ -24,11 +24,10 @@ public interface Bsdf {
     boolean connectable();
 
     /**
-     * True if some non-delta lobe may scatter to the side of the surface opposite to {@code wo}: lights behind the surface
-     * then count when one is chosen. Materials that only reflect should say false.
+     * True if some lobe, other than passing straight through a mask, scatters light to the other side of the surface.
      */
-    default boolean transmits() {
-        return true;
+    default boolean transmissive() {
+        return false;
     }
 
     /**

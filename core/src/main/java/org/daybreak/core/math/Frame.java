@@ -44,8 +44,7 @@ public final class Frame {
      * preferred direction is zero, not finite or parallel to the normal, s is arbitrary as in {@link #set(double,
      * double, double)}.
      */
-    public void set(
-            double normalX, double normalY, double normalZ, double tangentX, double tangentY, double tangentZ) {
+    public void set(double normalX, double normalY, double normalZ, double tangentX, double tangentY, double tangentZ) {
         double along = tangentX * normalX + tangentY * normalY + tangentZ * normalZ;
         double x = tangentX - along * normalX;
         double y = tangentY - along * normalY;

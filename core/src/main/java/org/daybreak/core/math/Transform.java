@@ -145,7 +145,12 @@ public final class Transform {
         double length = length(axisX, axisY, axisZ);
         if (!(length > 0) || !Double.isFinite(length) || !Double.isFinite(degrees)) {
             throw new IllegalArgumentException(String.format(
-                    Locale.ROOT, "no rotation by %s degrees about the axis (%s, %s, %s)", degrees, axisX, axisY, axisZ));
+                    Locale.ROOT,
+                    "no rotation by %s degrees about the axis (%s, %s, %s)",
+                    degrees,
+                    axisX,
+                    axisY,
+                    axisZ));
         }
         double x = axisX / length;
         double y = axisY / length;
@@ -154,9 +159,18 @@ public final class Transform {
         double cos = sinDegrees(degrees + 90);
         double k = 1 - cos;
         return ofRows(
-                cos + k * x * x, k * x * y - sin * z, k * x * z + sin * y, 0,
-                k * x * y + sin * z, cos + k * y * y, k * y * z - sin * x, 0,
-                k * x * z - sin * y, k * y * z + sin * x, cos + k * z * z, 0);
+                cos + k * x * x,
+                k * x * y - sin * z,
+                k * x * z + sin * y,
+                0,
+                k * x * y + sin * z,
+                cos + k * y * y,
+                k * y * z - sin * x,
+                0,
+                k * x * z - sin * y,
+                k * y * z + sin * x,
+                cos + k * z * z,
+                0);
     }
 
     /**
@@ -383,8 +397,7 @@ public final class Transform {
 
     private static double normalisedDeterminant(double[] m) {
         double s = linearScale(m);
-        return determinant(
-                m[0] / s, m[1] / s, m[2] / s, m[4] / s, m[5] / s, m[6] / s, m[8] / s, m[9] / s, m[10] / s);
+        return determinant(m[0] / s, m[1] / s, m[2] / s, m[4] / s, m[5] / s, m[6] / s, m[8] / s, m[9] / s, m[10] / s);
     }
 
     /** The power of two next below the largest entry of M; 1 for the zero matrix. */

@@ -7,7 +7,8 @@ import org.daybreak.core.math.Scalars;
  * A rectangle as seen from a point, sampled uniformly by solid angle.
  *
  * <p>Ureña, Fajardo and King, “An Area-Preserving Parametrization for Spherical Rectangles”, CGF 32(4), 2013, with
- * their angles γ written as π/2 plus a rest, which keeps the precision for rectangles that are far away. Where the solid angle is too small for that still, points are sampled uniformly by area.
+ * their angles γ written as π/2 plus a rest, which keeps the precision for rectangles that are far away. Where the
+ * solid angle is too small even so, points are sampled uniformly by area.
  *
  * <p>Mutable, one per worker: {@link #set} for each pair of rectangle and point.
  */
@@ -123,7 +124,7 @@ public final class SphericalRectangle {
         firstCosine = cos23;
     }
 
-    /** The solid angle of the rectangle in steradians: 0 if it is seen edge-on, below 2π. */
+    /** The solid angle of the rectangle in steradians, 0 … 2π, with an absolute error of about 1e-15. */
     public double solidAngle() {
         return solidAngle;
     }

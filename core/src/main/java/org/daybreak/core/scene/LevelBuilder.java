@@ -20,10 +20,9 @@ import org.jspecify.annotations.Nullable;
 /** Gathers the shapes of one level into shared arrays, in the coordinates of the level. */
 final class LevelBuilder {
     private static final TriangleMesh RECTANGLE = new TriangleMesh(
-            new float[] {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0},
-            new int[] {0, 1, 2, 2, 3, 0},
-            null,
-            new float[] {0, 0, 1, 0, 1, 1, 0, 1});
+            new float[] {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, new int[] {0, 1, 2, 2, 3, 0}, null, new float[] {
+                0, 0, 1, 0, 1, 1, 0, 1
+            });
 
     private static final TriangleMesh CUBE = cube();
 
@@ -63,8 +62,7 @@ final class LevelBuilder {
         } else if (shape instanceof Disk) {
             addQuadric(index, Quadric.Kind.DISK, toLevel, flipNormals);
         } else if (shape instanceof Cylinder cylinder) {
-            addQuadric(
-                    index, Quadric.Kind.CYLINDER, toLevel.multiply(placementOf(cylinder)), flipNormals);
+            addQuadric(index, Quadric.Kind.CYLINDER, toLevel.multiply(placementOf(cylinder)), flipNormals);
         }
     }
 
@@ -209,7 +207,8 @@ final class LevelBuilder {
             }
         }
         if (corners > triangles.length) {
-            triangles = Arrays.copyOf(triangles, (int) Math.min(Integer.MAX_VALUE - 8L, Math.max(corners, 3L * triangles.length / 2)));
+            triangles = Arrays.copyOf(triangles, (int)
+                    Math.min(Integer.MAX_VALUE - 8L, Math.max(corners, 3L * triangles.length / 2)));
         }
     }
 

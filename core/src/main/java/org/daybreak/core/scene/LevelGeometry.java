@@ -90,8 +90,7 @@ final class LevelGeometry {
         }
     }
 
-    private void completeTriangle(
-            HitRefinement refined, int triangle, @Nullable Instance instance, SurfacePoint hit) {
+    private void completeTriangle(HitRefinement refined, int triangle, @Nullable Instance instance, SurfacePoint hit) {
         hit.shape = shapeOfRun[runOf(triangle)];
         int a = triangles[3 * triangle];
         int b = triangles[3 * triangle + 1];

@@ -51,14 +51,7 @@ public final class RayCaster {
 
     /** Finds the nearest surface seen from a point in space: {@link #trace(SurfacePoint, double, double, double, RayKind, SurfacePoint)}. */
     public boolean trace(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            RayKind kind,
-            SurfacePoint hit) {
+            double ox, double oy, double oz, double dx, double dy, double dz, RayKind kind, SurfacePoint hit) {
         counts[kind.ordinal()]++;
         ray.set(ox, oy, oz, dx, dy, dz, Double.POSITIVE_INFINITY);
         if (!intersector.intersect(ray)) {
@@ -81,21 +74,13 @@ public final class RayCaster {
         double ox = a.x + oa * a.gx;
         double oy = a.y + oa * a.gy;
         double oz = a.z + oa * a.gz;
-        return between(
-                ox,
-                oy,
-                oz,
-                b.x + ob * b.gx - ox,
-                b.y + ob * b.gy - oy,
-                b.z + ob * b.gz - oz,
-                SHADOW_END);
+        return between(ox, oy, oz, b.x + ob * b.gx - ox, b.y + ob * b.gy - oy, b.z + ob * b.gz - oz, SHADOW_END);
     }
 
     /** Fraction of light that gets from infinity to a point against a unit direction that points away from it. */
     public double transmittanceToInfinity(SurfacePoint a, double dx, double dy, double dz) {
         double o = a.geometricCosine(dx, dy, dz) < 0 ? -a.offset : a.offset;
-        return between(
-                a.x + o * a.gx, a.y + o * a.gy, a.z + o * a.gz, dx, dy, dz, Double.POSITIVE_INFINITY);
+        return between(a.x + o * a.gx, a.y + o * a.gy, a.z + o * a.gz, dx, dy, dz, Double.POSITIVE_INFINITY);
     }
 
     /** Number of rays of a kind cast so far. */

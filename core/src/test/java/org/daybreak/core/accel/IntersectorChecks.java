@@ -23,8 +23,7 @@ public final class IntersectorChecks {
             for (int axis = 0; axis < 3; axis++) {
                 double centre = random.nextDouble(-1, 1);
                 for (int corner = 0; corner < 3; corner++) {
-                    positions[9 * i + 3 * corner + axis] =
-                            (float) (scale * (centre + size * random.nextDouble(-1, 1)));
+                    positions[9 * i + 3 * corner + axis] = (float) (scale * (centre + size * random.nextDouble(-1, 1)));
                 }
             }
             for (int corner = 0; corner < 3; corner++) {

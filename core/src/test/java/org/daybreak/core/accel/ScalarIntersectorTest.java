@@ -27,7 +27,8 @@ class ScalarIntersectorTest {
             Instance[] instances = new Instance[6];
             for (int i = 0; i < 6; i++) {
                 levels[i] = IntersectorChecks.mixed(random, 20 * i, 5, 0.3, 1, new Instance[0]);
-                instances[i] = new Instance(IntersectorChecks.randomAffine(random, 0.6, 1), provider.build(levels[i], 1));
+                instances[i] =
+                        new Instance(IntersectorChecks.randomAffine(random, 0.6, 1), provider.build(levels[i], 1));
             }
             PrimitiveSet set = IntersectorChecks.mixed(random, 100, 9, 0.2, 1, instances);
             IntersectorChecks.agreesWithBruteForce(provider, set, levels, random, 1, 4000, 1);
