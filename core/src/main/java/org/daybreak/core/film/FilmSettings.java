@@ -15,8 +15,8 @@ public record FilmSettings(int width, int height, Crop crop, ReconstructionFilte
     /** Checks the numbers. */
     public FilmSettings {
         if (width < 1 || height < 1 || width > MAX_SIZE || height > MAX_SIZE) {
-            throw new IllegalArgumentException("the film must have 1 to " + MAX_SIZE
-                    + " pixels in each direction but is " + width + "x" + height);
+            throw new IllegalArgumentException(
+                    "the film must have 1 to " + MAX_SIZE + " pixels in each direction but is " + width + "x" + height);
         }
         if (crop.x() < 0
                 || crop.y() < 0
@@ -24,7 +24,8 @@ public record FilmSettings(int width, int height, Crop crop, ReconstructionFilte
                 || crop.height() < 1
                 || (long) crop.x() + crop.width() > width
                 || (long) crop.y() + crop.height() > height) {
-            throw new IllegalArgumentException("the crop " + crop + " must lie within the film of " + width + "x" + height);
+            throw new IllegalArgumentException(
+                    "the crop " + crop + " must lie within the film of " + width + "x" + height);
         }
     }
 

@@ -39,8 +39,7 @@ public interface Light {
      * @param onLight the hit point; ignored by lights at infinity
      * @param wiX unit direction from the reference point to the light
      */
-    double incidentDensity(
-            double px, double py, double pz, SurfacePoint onLight, double wiX, double wiY, double wiZ);
+    double incidentDensity(double px, double py, double pz, SurfacePoint onLight, double wiX, double wiY, double wiZ);
 
     /**
      * Samples a ray that leaves the light (start of a light subpath).

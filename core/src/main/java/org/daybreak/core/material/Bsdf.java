@@ -24,6 +24,13 @@ public interface Bsdf {
     boolean connectable();
 
     /**
+     * True if some lobe, other than passing straight through a mask, scatters light to the other side of the surface.
+     */
+    default boolean transmissive() {
+        return false;
+    }
+
+    /**
      * Evaluates all non-delta lobes for a pair of directions.
      *
      * @param point the surface point, for textures

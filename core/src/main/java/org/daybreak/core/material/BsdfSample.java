@@ -34,4 +34,23 @@ public final class BsdfSample {
      * scaling of radiance by refraction.
      */
     public double eta;
+
+    /** Destination of the warps of the square; what implementations leave here means nothing to the caller. */
+    final double[] direction = new double[3];
+
+    /** Marks the sample as drawn from a lobe with a density per solid angle that does not refract. */
+    void setContinuous(double density) {
+        this.density = density;
+        delta = false;
+        passThrough = false;
+        eta = 1;
+    }
+
+    /** Marks the sample as drawn from a delta lobe. */
+    void setDelta(double probability, double eta) {
+        this.density = probability;
+        delta = true;
+        passThrough = false;
+        this.eta = eta;
+    }
 }

@@ -1,5 +1,6 @@
 package org.daybreak.core.scene;
 
+import org.daybreak.core.accel.HitRefinement;
 import org.daybreak.core.accel.Intersector;
 import org.daybreak.core.accel.Ray;
 import org.daybreak.core.geometry.SurfacePoint;
@@ -20,6 +21,7 @@ public final class RayCaster {
     private final Scene scene;
     private final Intersector intersector;
     private final Ray ray = new Ray();
+    private final HitRefinement refinement = new HitRefinement();
     private final SurfacePoint veil = new SurfacePoint();
     private final long[] counts = new long[KINDS.length];
 
@@ -49,20 +51,13 @@ public final class RayCaster {
 
     /** Finds the nearest surface seen from a point in space: {@link #trace(SurfacePoint, double, double, double, RayKind, SurfacePoint)}. */
     public boolean trace(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            RayKind kind,
-            SurfacePoint hit) {
+            double ox, double oy, double oz, double dx, double dy, double dz, RayKind kind, SurfacePoint hit) {
         counts[kind.ordinal()]++;
-        seat(ox, oy, oz, dx, dy, dz, Double.POSITIVE_INFINITY);
+        ray.set(ox, oy, oz, dx, dy, dz, Double.POSITIVE_INFINITY);
         if (!intersector.intersect(ray)) {
             return false;
         }
-        scene.resolve(ray, hit);
+        scene.resolve(ray, refinement, hit);
         return true;
     }
 
@@ -79,21 +74,13 @@ public final class RayCaster {
         double ox = a.x + oa * a.gx;
         double oy = a.y + oa * a.gy;
         double oz = a.z + oa * a.gz;
-        return between(
-                ox,
-                oy,
-                oz,
-                b.x + ob * b.gx - ox,
-                b.y + ob * b.gy - oy,
-                b.z + ob * b.gz - oz,
-                SHADOW_END);
+        return between(ox, oy, oz, b.x + ob * b.gx - ox, b.y + ob * b.gy - oy, b.z + ob * b.gz - oz, SHADOW_END);
     }
 
     /** Fraction of light that gets from infinity to a point against a unit direction that points away from it. */
     public double transmittanceToInfinity(SurfacePoint a, double dx, double dy, double dz) {
         double o = a.geometricCosine(dx, dy, dz) < 0 ? -a.offset : a.offset;
-        return between(
-                a.x + o * a.gx, a.y + o * a.gy, a.z + o * a.gz, dx, dy, dz, Double.POSITIVE_INFINITY);
+        return between(a.x + o * a.gx, a.y + o * a.gy, a.z + o * a.gz, dx, dy, dz, Double.POSITIVE_INFINITY);
     }
 
     /** Number of rays of a kind cast so far. */
@@ -103,7 +90,7 @@ public final class RayCaster {
 
     private double between(double ox, double oy, double oz, double dx, double dy, double dz, double end) {
         counts[RayKind.SHADOW.ordinal()]++;
-        seat(ox, oy, oz, dx, dy, dz, end);
+        ray.set(ox, oy, oz, dx, dy, dz, end);
         if (!scene.maybeTransparent()) {
             return intersector.occluded(ray) ? 0 : 1;
         }
@@ -116,28 +103,18 @@ public final class RayCaster {
         double remaining = end;
         while (intersector.intersect(ray)) {
             remaining -= ray.t;
-            scene.resolve(ray, veil);
+            scene.resolve(ray, refinement, veil);
             transmittance *= scene.bsdf(veil.shape).transparency(veil);
             if (transmittance == 0) {
                 return 0;
             }
             double o = veil.geometricCosine(dx, dy, dz) < 0 ? -veil.offset : veil.offset;
             counts[RayKind.SHADOW.ordinal()]++;
-            seat(veil.x + o * veil.gx, veil.y + o * veil.gy, veil.z + o * veil.gz, dx, dy, dz, remaining);
+            ray.set(veil.x + o * veil.gx, veil.y + o * veil.gy, veil.z + o * veil.gz, dx, dy, dz, remaining);
             if (!(remaining > 0)) {
                 break;
             }
         }
         return transmittance;
-    }
-
-    private void seat(double ox, double oy, double oz, double dx, double dy, double dz, double end) {
-        ray.ox = ox;
-        ray.oy = oy;
-        ray.oz = oz;
-        ray.dx = dx;
-        ray.dy = dy;
-        ray.dz = dz;
-        ray.tMax = end;
     }
 }

@@ -1,5 +1,6 @@
 package org.daybreak.core.scene;
 
+import org.daybreak.core.accel.HitRefinement;
 import org.daybreak.core.accel.Intersector;
 import org.daybreak.core.accel.Ray;
 import org.daybreak.core.camera.Camera;
@@ -61,9 +62,15 @@ public final class Scene {
         return intersector;
     }
 
-    /** Turns a hit that the intersector reported into a surface point, recomputed in double precision. */
-    public void resolve(Ray ray, SurfacePoint hit) {
-        surfaces.resolve(ray, hit);
+    /**
+     * Turns a hit that the intersector reported into a surface point, recomputed in double precision.
+     *
+     * @param ray the query with its answer; a hit
+     * @param refinement scratch space of the worker
+     * @param hit receives the point
+     */
+    public void resolve(Ray ray, HitRefinement refinement, SurfacePoint hit) {
+        surfaces.resolve(ray, refinement, hit);
     }
 
     /** Number of shapes; indices of {@link SurfacePoint#shape} run below it. */

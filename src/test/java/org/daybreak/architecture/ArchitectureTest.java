@@ -1,0 +1,215 @@
+package org.daybreak.architecture;
+
+import static com.tngtech.archunit.core.domain.JavaModifier.STATIC;
+import static com.tngtech.archunit.core.domain.JavaModifier.SYNTHETIC;
+import static com.tngtech.archunit.lang.conditions.ArchPredicates.are;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.GeneralCodingRules.NO_CLASSES_SHOULD_ACCESS_STANDARD_STREAMS;
+import static com.tngtech.archunit.library.GeneralCodingRules.NO_CLASSES_SHOULD_THROW_GENERIC_EXCEPTIONS;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaField;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.lang.ArchRule;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+/** Checks the compiled classes of all modules and, for the documentation of packages, their sources. */
+class ArchitectureTest {
+    /** The repository. Its sub-folders are the modules. */
+    private static final Path ROOT = Path.of(System.getProperty("daybreak.root"));
+
+    private static final String BASE = "org.daybreak.";
+
+    /** Top-level package below {@code org.daybreak} to the others that it may use. */
+    private static final Map<String, Set<String>> ARROWS = Map.of(
+            "exr", Set.of(),
+            "core", Set.of(),
+            "accel", Set.of("core"),
+            "antialiasing", Set.of("core"),
+            "tracing", Set.of("core", "antialiasing"),
+            "scenes", Set.of("core"),
+            "cli", Set.of("exr", "core", "accel", "antialiasing", "tracing", "scenes"),
+            "benchmarks", Set.of("exr", "core", "accel", "antialiasing", "tracing", "scenes", "cli"));
+
+    /** The programs: they may print, exit and use any library. All other top-level packages are library code. */
+    private static final Set<String> PROGRAMS = Set.of("cli", "benchmarks");
+
+    /** What every library module may use from outside. */
+    private static final Set<String> COMMON = Set.of(
+            "java..",
+            "javax.imageio..",
+            "javax.xml..",
+            "org.w3c.dom..",
+            "org.xml.sax..",
+            "org.jspecify.annotations",
+            "javax.vecmath");
+
+    /** What single library modules may use besides. */
+    private static final Map<String, Set<String>> EXTRA = Map.of("accel", Set.of("jdk.incubator.vector"));
+
+    private static JavaClasses all;
+    private static JavaClasses libraries;
+
+    @BeforeAll
+    static void importClasses() throws IOException {
+        List<Path> compiled;
+        try (Stream<Path> folders = Files.list(ROOT)) {
+            compiled = folders.map(folder -> folder.resolve("target").resolve("classes"))
+                    .filter(Files::isDirectory)
+                    .sorted()
+                    .toList();
+        }
+        all = new ClassFileImporter().importPaths(compiled);
+        libraries = all.that(DescribedPredicate.describe("library code", type -> !PROGRAMS.contains(module(type))));
+    }
+
+    @Test
+    void everyTopLevelPackageHasItsArrows() {
+        Set<String> unknown = new TreeSet<>();
+        for (JavaClass type : all) {
+            if (!ARROWS.containsKey(module(type))) {
+                unknown.add(type.getPackageName());
+            }
+        }
+        assertEquals(Set.of(), unknown, "packages of no known module: add them to ARROWS and to docs");
+    }
+
+    @Test
+    void modulesUseOnlyWhatTheArrowsAllow() {
+        for (String module : ARROWS.keySet()) {
+            String own = BASE + module + "..";
+            List<String> forbidden = new ArrayList<>();
+            List<String> allowed = new ArrayList<>(COMMON);
+            allowed.addAll(EXTRA.getOrDefault(module, Set.of()));
+            allowed.add(own);
+            for (String other : ARROWS.keySet()) {
+                boolean mayUse = other.equals(module) || ARROWS.get(module).contains(other);
+                (mayUse ? allowed : forbidden).add(BASE + other + "..");
+            }
+            check(noClasses()
+                    .that()
+                    .resideInAPackage(own)
+                    .should()
+                    .dependOnClassesThat()
+                    .resideInAnyPackage(forbidden.toArray(String[]::new)));
+            if (!PROGRAMS.contains(module)) {
+                check(classes()
+                        .that()
+                        .resideInAPackage(own)
+                        .should()
+                        .onlyDependOnClassesThat()
+                        .resideInAnyPackage(allowed.toArray(String[]::new)));
+            }
+        }
+    }
+
+    @Test
+    void packagesFormNoCycle() {
+        slices().matching(BASE + "(*)..")
+                .should()
+                .beFreeOfCycles()
+                .allowEmptyShould(true)
+                .check(all);
+        slices().matching(BASE + "(**)")
+                .should()
+                .beFreeOfCycles()
+                .allowEmptyShould(true)
+                .check(all);
+    }
+
+    @Test
+    void librariesNeitherPrintNorExit() {
+        NO_CLASSES_SHOULD_ACCESS_STANDARD_STREAMS.allowEmptyShould(true).check(libraries);
+        ArchRule exits = noClasses()
+                .should()
+                .callMethod(System.class, "exit", int.class)
+                .orShould()
+                .callMethod(Runtime.class, "exit", int.class)
+                .orShould()
+                .callMethod(Runtime.class, "halt", int.class);
+        exits.allowEmptyShould(true).check(libraries);
+    }
+
+    /** A static field is a constant: final, and no holder of something that changes. */
+    @Test
+    void librariesHoldNoMutableStaticState() {
+        DescribedPredicate<JavaField> written = DescribedPredicate.describe(
+                "static fields of the source",
+                field -> field.getModifiers().contains(STATIC)
+                        && !field.getModifiers().contains(SYNTHETIC));
+        DescribedPredicate<JavaClass> holder = DescribedPredicate.describe(
+                "holders of changing values",
+                type -> type.isAssignableTo(ThreadLocal.class)
+                        || type.getPackageName().startsWith("java.util.concurrent")
+                        || type.isAssignableTo(StringBuilder.class));
+        fields().that(are(written))
+                .should()
+                .beFinal()
+                .andShould()
+                .notHaveRawType(holder)
+                .allowEmptyShould(true)
+                .check(libraries);
+    }
+
+    @Test
+    void nothingThrowsGenericExceptions() {
+        NO_CLASSES_SHOULD_THROW_GENERIC_EXCEPTIONS.allowEmptyShould(true).check(all);
+    }
+
+    @Test
+    void everyPackageIsDescribedAndNullMarked() throws IOException {
+        Set<String> bare = new TreeSet<>();
+        for (Path source : mainSources()) {
+            Path description = source.resolveSibling("package-info.java");
+            if (!Files.exists(description) || !Files.readString(description).contains("@NullMarked")) {
+                bare.add(ROOT.relativize(source.getParent()).toString());
+            }
+        }
+        assertEquals(Set.of(), bare, "packages without a package-info.java that is @NullMarked");
+    }
+
+    private static List<Path> mainSources() throws IOException {
+        List<Path> sources = new ArrayList<>();
+        try (Stream<Path> folders = Files.list(ROOT)) {
+            for (Path module : folders.sorted().toList()) {
+                Path main = module.resolve("src").resolve("main").resolve("java");
+                if (Files.isDirectory(main)) {
+                    try (Stream<Path> files = Files.walk(main)) {
+                        files.filter(file -> file.toString().endsWith(".java")).forEach(sources::add);
+                    }
+                }
+            }
+        }
+        return sources;
+    }
+
+    private static void check(ArchRule rule) {
+        rule.allowEmptyShould(true).check(all);
+    }
+
+    /** First package name below {@link #BASE}, or an empty string outside it. */
+    private static String module(JavaClass type) {
+        String name = type.getPackageName();
+        if (!name.startsWith(BASE)) {
+            return "";
+        }
+        int end = name.indexOf('.', BASE.length());
+        return end < 0 ? name.substring(BASE.length()) : name.substring(BASE.length(), end);
+    }
+}
