@@ -60,25 +60,28 @@ final class BsdfBuilder {
                 case "diffuse" -> new Diffuse(textures.texture(p, "reflectance"));
                 case "conductor" -> conductor(p);
                 case "roughconductor" -> roughConductor(p);
-                case "dielectric" -> new Dielectric(
-                        p.refractiveIndex("int_ior"),
-                        p.refractiveIndex("ext_ior"),
-                        textures.texture(p, "specular_reflectance"),
-                        textures.texture(p, "specular_transmittance"));
-                case "plastic" -> new Plastic(
-                        p.refractiveIndex("int_ior"),
-                        p.refractiveIndex("ext_ior"),
-                        textures.texture(p, "diffuse_reflectance"),
-                        textures.texture(p, "specular_reflectance"),
-                        p.truth("nonlinear"));
-                case "roughplastic" -> new RoughPlastic(
-                        distribution(p),
-                        p.number("alpha", DEFAULT_ALPHA),
-                        p.refractiveIndex("int_ior"),
-                        p.refractiveIndex("ext_ior"),
-                        textures.texture(p, "diffuse_reflectance"),
-                        textures.texture(p, "specular_reflectance"),
-                        p.truth("nonlinear"));
+                case "dielectric" ->
+                    new Dielectric(
+                            p.refractiveIndex("int_ior"),
+                            p.refractiveIndex("ext_ior"),
+                            textures.texture(p, "specular_reflectance"),
+                            textures.texture(p, "specular_transmittance"));
+                case "plastic" ->
+                    new Plastic(
+                            p.refractiveIndex("int_ior"),
+                            p.refractiveIndex("ext_ior"),
+                            textures.texture(p, "diffuse_reflectance"),
+                            textures.texture(p, "specular_reflectance"),
+                            p.truth("nonlinear"));
+                case "roughplastic" ->
+                    new RoughPlastic(
+                            distribution(p),
+                            p.number("alpha", DEFAULT_ALPHA),
+                            p.refractiveIndex("int_ior"),
+                            p.refractiveIndex("ext_ior"),
+                            textures.texture(p, "diffuse_reflectance"),
+                            textures.texture(p, "specular_reflectance"),
+                            p.truth("nonlinear"));
                 case "twosided" -> twoSided(p);
                 case "mask" -> mask(p);
                 default -> throw new IllegalStateException("no builder for " + object.label());
@@ -162,7 +165,8 @@ final class BsdfBuilder {
             }
         }
         Bsdf front = bsdf(nested.get(0).object(), nested.get(0).location());
-        Bsdf back = nested.size() > 1 ? bsdf(nested.get(1).object(), nested.get(1).location()) : front;
+        Bsdf back =
+                nested.size() > 1 ? bsdf(nested.get(1).object(), nested.get(1).location()) : front;
         return opaque ? new TwoSided(front, back) : null;
     }
 

@@ -53,7 +53,8 @@ final class BuildContext {
     }
 
     /** The object a value stands for, or null if it is none or, which is reported, a name nothing has. */
-    @Nullable ObjectDescription object(PropertyDescription property) {
+    @Nullable
+    ObjectDescription object(PropertyDescription property) {
         if (property.value() instanceof Value.Nested nested) {
             return nested.object();
         }
@@ -72,7 +73,8 @@ final class BuildContext {
     }
 
     /** An object's properties, checked against the table; null if its type is unknown. Errors are reported once. */
-    @Nullable Properties properties(ObjectDescription object) {
+    @Nullable
+    Properties properties(ObjectDescription object) {
         if (checked.containsKey(object)) {
             return checked.get(object);
         }
@@ -122,7 +124,8 @@ final class BuildContext {
      *
      * @return the file, or null if it is not there or cannot be read, which is reported
      */
-    @Nullable Path file(String name, SourceLocation location) {
+    @Nullable
+    Path file(String name, SourceLocation location) {
         Path found;
         try {
             found = location.file().resolveSibling(name);

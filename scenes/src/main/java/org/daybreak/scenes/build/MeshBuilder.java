@@ -40,7 +40,8 @@ final class MeshBuilder {
      * @param toWorld where it goes; computed normals depend on it as Mitsuba computes them in world space
      * @return null after an error that has been reported
      */
-    @Nullable Mesh mesh(Properties p, Matrix4d toWorld) {
+    @Nullable
+    Mesh mesh(Properties p, Matrix4d toWorld) {
         Path file = p.has("filename") ? context.file(p.text("filename"), p.location("filename")) : null;
         if (file == null) {
             return null;
@@ -59,8 +60,7 @@ final class MeshBuilder {
         if (p.truth("face_normals")) {
             TriangleMesh flat = mesh;
             return new Mesh(
-                    flattened.computeIfAbsent(
-                            flat, m -> new TriangleMesh(m.positions(), m.triangles(), null, m.uvs())),
+                    flattened.computeIfAbsent(flat, m -> new TriangleMesh(m.positions(), m.triangles(), null, m.uvs())),
                     true);
         }
         if (mesh.normals() != null) {
@@ -70,8 +70,7 @@ final class MeshBuilder {
         return new Mesh(
                 Affine.isSimilarity(toWorld)
                         ? smoothed.computeIfAbsent(
-                                mesh,
-                                m -> withNormals(m, VertexNormals.angleWeighted(m.positions(), m.triangles())))
+                                mesh, m -> withNormals(m, VertexNormals.angleWeighted(m.positions(), m.triangles())))
                         : withNormals(mesh, normalsThrough(mesh, toWorld)),
                 true);
     }
@@ -114,7 +113,8 @@ final class MeshBuilder {
             }
             if (removed > 0) {
                 context.warning(
-                        usedAt, removed + (removed == 1 ? " triangle" : " triangles") + " of zero area in " + file
+                        usedAt,
+                        removed + (removed == 1 ? " triangle" : " triangles") + " of zero area in " + file
                                 + (removed == 1 ? " is" : " are") + " left out");
             }
             return solid;

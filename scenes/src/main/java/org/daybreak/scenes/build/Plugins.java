@@ -98,8 +98,7 @@ public final class Plugins {
                 of("hide_emitters", Type.BOOLEAN, "false", "Must be false: lights are always visible."),
                 optional("samples_per_pass", Type.INTEGER, NO_EFFECT),
                 optional("block_size", Type.INTEGER, NO_EFFECT));
-        list.add(plugin(
-                ObjectKind.INTEGRATOR, "path", "Path tracer: renderer 'path'.", join(common, join(depths))));
+        list.add(plugin(ObjectKind.INTEGRATOR, "path", "Path tracer: renderer 'path'.", join(common, join(depths))));
         list.add(plugin(
                 ObjectKind.INTEGRATOR,
                 "direct",
@@ -118,7 +117,8 @@ public final class Plugins {
 
     private static void addSensors(List<PluginDefinition> list) {
         List<PropertyDefinition> common = List.of(
-                optional("fov", Type.FLOAT, "Opening angle in degrees; excludes focal_length.").between(1e-4, 179.9999),
+                optional("fov", Type.FLOAT, "Opening angle in degrees; excludes focal_length.")
+                        .between(1e-4, 179.9999),
                 choice(
                         "fov_axis",
                         "x",
@@ -130,8 +130,10 @@ public final class Plugins {
                         "50mm",
                         "Focal length for 35 mm film: fov across the diagonal of 36x24 mm."),
                 optional("to_world", Type.TRANSFORM, "Camera to world, without scaling; looks along +z, +y is up."),
-                of("near_clip", Type.FLOAT, "0.01", "Nothing is clipped; other values give a warning.").positive(),
-                of("far_clip", Type.FLOAT, "10000", "Nothing is clipped; default focus distance.").positive(),
+                of("near_clip", Type.FLOAT, "0.01", "Nothing is clipped; other values give a warning.")
+                        .positive(),
+                of("far_clip", Type.FLOAT, "10000", "Nothing is clipped; default focus distance.")
+                        .positive(),
                 of("principal_point_offset_x", Type.FLOAT, "0", "Must be 0.").between(0, 0),
                 of("principal_point_offset_y", Type.FLOAT, "0", "Must be 0.").between(0, 0),
                 of("shutter_open", Type.FLOAT, "0", NO_EFFECT),
@@ -159,10 +161,13 @@ public final class Plugins {
                 "Image of linear values. Output formats are chosen on the command line.",
                 of("width", Type.INTEGER, "768", "Width in pixels.").between(1, 65_536),
                 of("height", Type.INTEGER, "576", "Height in pixels.").between(1, 65_536),
-                of("crop_offset_x", Type.INTEGER, "0", "First column to render.").between(0, 65_535),
+                of("crop_offset_x", Type.INTEGER, "0", "First column to render.")
+                        .between(0, 65_535),
                 of("crop_offset_y", Type.INTEGER, "0", "First row to render.").between(0, 65_535),
-                optional("crop_width", Type.INTEGER, "Columns to render; default all.").between(1, 65_536),
-                optional("crop_height", Type.INTEGER, "Rows to render; default all.").between(1, 65_536),
+                optional("crop_width", Type.INTEGER, "Columns to render; default all.")
+                        .between(1, 65_536),
+                optional("crop_height", Type.INTEGER, "Rows to render; default all.")
+                        .between(1, 65_536),
                 choice(
                         "pixel_format",
                         "rgb",
@@ -217,8 +222,7 @@ public final class Plugins {
                         1,
                         "Material; diffuse with reflectance 0.5 if there is none, 0 on a shape that emits."),
                 objects(ObjectKind.EMITTER, 0, 1, "Makes the shape a light."));
-        PropertyDefinition file =
-                optional("filename", Type.FILE, "The file.").asRequired();
+        PropertyDefinition file = optional("filename", Type.FILE, "The file.").asRequired();
         PropertyDefinition faceNormals = of(
                 "face_normals",
                 Type.BOOLEAN,
@@ -232,16 +236,16 @@ public final class Plugins {
                         common,
                         file,
                         faceNormals,
-                        of("flip_tex_coords", Type.BOOLEAN, "true", "Turns v into 1 - v, as images start at the top."))));
+                        of(
+                                "flip_tex_coords",
+                                Type.BOOLEAN,
+                                "true",
+                                "Turns v into 1 - v, as images start at the top."))));
         list.add(plugin(
                 ObjectKind.SHAPE,
                 "ply",
                 "PLY mesh, ASCII or binary.",
-                join(
-                        common,
-                        file,
-                        faceNormals,
-                        of("flip_tex_coords", Type.BOOLEAN, "false", "Turns v into 1 - v."))));
+                join(common, file, faceNormals, of("flip_tex_coords", Type.BOOLEAN, "false", "Turns v into 1 - v."))));
         list.add(plugin(
                 ObjectKind.SHAPE,
                 "sphere",
@@ -280,15 +284,18 @@ public final class Plugins {
                 of("specular_reflectance", Type.REFLECTANCE, "1", "Factor on the specular reflection.");
         List<PropertyDefinition> metal = List.of(
                 of("material", Type.STRING, "none", "Must be 'none': give eta and k for a metal."),
-                of("eta", Type.COLOR, "0", "Real part of the refractive index, relative to vacuum.").between(0, 1e6),
-                of("k", Type.COLOR, "1", "Imaginary part of the refractive index.").between(0, 1e6),
+                of("eta", Type.COLOR, "0", "Real part of the refractive index, relative to vacuum.")
+                        .between(0, 1e6),
+                of("k", Type.COLOR, "1", "Imaginary part of the refractive index.")
+                        .between(0, 1e6),
                 specular);
         List<PropertyDefinition> rough = List.of(
                 choice("distribution", "beckmann", List.of("beckmann", "ggx"), "Distribution of microfacet normals."),
                 of("sample_visible", Type.BOOLEAN, "true", "Accepted; visible normals are always sampled."));
         List<PropertyDefinition> dielectric = List.of(
                 of("ext_ior", Type.REFRACTIVE_INDEX, "air", "Refractive index on the side of the normal."), specular);
-        PropertyDefinition alpha = optional("alpha", Type.FLOAT, "Roughness; default 0.1. No textures.").between(1e-6, 10);
+        PropertyDefinition alpha = optional("alpha", Type.FLOAT, "Roughness; default 0.1. No textures.")
+                .between(1e-6, 10);
         List<PropertyDefinition> plastic = List.of(
                 of("int_ior", Type.REFRACTIVE_INDEX, "polypropylene", "Refractive index behind the surface."),
                 of("diffuse_reflectance", Type.REFLECTANCE, "0.5", "Reflectance of the base."),
@@ -311,7 +318,8 @@ public final class Plugins {
                                 alpha,
                                 optional("alpha_u", Type.FLOAT, "Roughness along u; must equal alpha_v.")
                                         .between(1e-6, 10),
-                                optional("alpha_v", Type.FLOAT, "Roughness along v.").between(1e-6, 10)))));
+                                optional("alpha_v", Type.FLOAT, "Roughness along v.")
+                                        .between(1e-6, 10)))));
         list.add(plugin(
                 ObjectKind.BSDF,
                 "dielectric",
@@ -364,8 +372,8 @@ public final class Plugins {
     }
 
     private static void addEmitters(List<PluginDefinition> list) {
-        PropertyDefinition weight =
-                of("sampling_weight", Type.FLOAT, "1", "Accepted, has no effect.").between(0, Double.MAX_VALUE);
+        PropertyDefinition weight = of("sampling_weight", Type.FLOAT, "1", "Accepted, has no effect.")
+                .between(0, Double.MAX_VALUE);
         list.add(plugin(
                 ObjectKind.EMITTER,
                 "area",

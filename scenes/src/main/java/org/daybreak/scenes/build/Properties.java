@@ -120,8 +120,7 @@ final class Properties {
             addTexture(property, child);
         } else {
             context.error(
-                    property.location(),
-                    object.label() + " cannot contain " + BuildContext.article(nested.kind()));
+                    property.location(), object.label() + " cannot contain " + BuildContext.article(nested.kind()));
         }
     }
 
@@ -138,7 +137,8 @@ final class Properties {
             context.error(property.location(), object.label() + " cannot contain a <texture>");
         } else if (name.isEmpty()) {
             context.error(
-                    property.location(), "a texture in " + object.label() + " needs a name: " + String.join(", ", textured));
+                    property.location(),
+                    "a texture in " + object.label() + " needs a name: " + String.join(", ", textured));
         } else if (definition == null) {
             context.problems()
                     .unknownName(
@@ -191,16 +191,18 @@ final class Properties {
     /** What is wrong with a value, as the end of a sentence; null if nothing is. */
     private static @Nullable String problem(PropertyDefinition definition, Value value) {
         return switch (definition.type()) {
-            case INTEGER -> value instanceof Value.WholeNumber n
-                    ? outside(definition, n.value(), Long.toString(n.value()))
-                    : wrongType(value);
+            case INTEGER ->
+                value instanceof Value.WholeNumber n
+                        ? outside(definition, n.value(), Long.toString(n.value()))
+                        : wrongType(value);
             case FLOAT -> {
                 Double n = number(value);
                 yield n == null ? wrongType(value) : outside(definition, n, n.toString());
             }
             case BOOLEAN -> value instanceof Value.Switch ? null : wrongType(value);
             case STRING -> value instanceof Value.Text ? null : wrongType(value);
-            case FILE -> value instanceof Value.Text t ? (t.value().isBlank() ? " but is empty" : null) : wrongType(value);
+            case FILE ->
+                value instanceof Value.Text t ? (t.value().isBlank() ? " but is empty" : null) : wrongType(value);
             case CHOICE -> {
                 if (!(value instanceof Value.Text text)) {
                     yield wrongType(value);
@@ -241,7 +243,8 @@ final class Properties {
             return RefractiveIndices.of(text.value()).isPresent()
                     ? null
                     : " but '" + text.value() + "' is not known; did you mean '"
-                            + NearestName.of(text.value(), RefractiveIndices.names(), 1).get(0) + "'?";
+                            + NearestName.of(text.value(), RefractiveIndices.names(), 1)
+                                    .get(0) + "'?";
         }
         Double n = number(value);
         return n == null ? wrongType(value) : n > 0 ? null : " but is " + n;
@@ -334,8 +337,7 @@ final class Properties {
             return new Point3d(t.x(), t.y(), t.z());
         }
         String[] words = defaultText(name).split(", ", -1);
-        return new Point3d(
-                Double.parseDouble(words[0]), Double.parseDouble(words[1]), Double.parseDouble(words[2]));
+        return new Point3d(Double.parseDouble(words[0]), Double.parseDouble(words[1]), Double.parseDouble(words[2]));
     }
 
     /** A refractive index, or its default. */
@@ -359,8 +361,8 @@ final class Properties {
     /** A colour as linear RGB, or its default. */
     double[] color(String name) {
         PropertyDefinition definition = definition(name);
-        boolean emission =
-                definition != null && (definition.type() == Type.EMISSION || definition.type() == Type.TEXTURED_EMISSION);
+        boolean emission = definition != null
+                && (definition.type() == Type.EMISSION || definition.type() == Type.TEXTURED_EMISSION);
         PropertyDescription property = values.get(name);
         double[] given = property == null ? null : color(property.value(), emission);
         if (given != null) {
@@ -371,7 +373,8 @@ final class Properties {
     }
 
     /** The texture given for a property, or null if it is a colour or not given. */
-    @Nullable Child texture(String name) {
+    @Nullable
+    Child texture(String name) {
         return textures.get(name);
     }
 
@@ -387,7 +390,8 @@ final class Properties {
     }
 
     /** The only object of a kind, or null. */
-    @Nullable Child child(ObjectKind kind) {
+    @Nullable
+    Child child(ObjectKind kind) {
         List<Child> all = children(kind);
         return all.isEmpty() ? null : all.get(0);
     }

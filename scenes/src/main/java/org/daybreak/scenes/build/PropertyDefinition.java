@@ -67,7 +67,15 @@ public record PropertyDefinition(
 
     static PropertyDefinition of(String name, Type type, String defaultValue, String doc) {
         return new PropertyDefinition(
-                name, type, defaultValue, false, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, List.of(), null, doc);
+                name,
+                type,
+                defaultValue,
+                false,
+                Double.NEGATIVE_INFINITY,
+                Double.POSITIVE_INFINITY,
+                List.of(),
+                null,
+                doc);
     }
 
     static PropertyDefinition optional(String name, Type type, String doc) {
@@ -140,8 +148,6 @@ public record PropertyDefinition(
     }
 
     private static String number(double value, boolean whole) {
-        return whole || value == Math.rint(value)
-                ? String.format(Locale.ROOT, "%.0f", value)
-                : Double.toString(value);
+        return whole || value == Math.rint(value) ? String.format(Locale.ROOT, "%.0f", value) : Double.toString(value);
     }
 }

@@ -17,15 +17,12 @@ import java.util.OptionalLong;
  * @param seed seed of the random numbers, if the file says
  */
 public record RenderSettingsRequest(
-        Optional<String> rendererId,
-        Map<String, String> parameters,
-        OptionalInt samplesPerPixel,
-        OptionalLong seed) {
+        Optional<String> rendererId, Map<String, String> parameters, OptionalInt samplesPerPixel, OptionalLong seed) {
     /** Name of the renderer parameter for the longest path in edges, −1 for unlimited. */
     public static final String MAX_DEPTH = "maxDepth";
 
     /** Name of the renderer parameter for the depth from which Russian roulette is played. */
-    public static final String ROULETTE_DEPTH = "rouletteDepth";
+    public static final String ROULETTE_DEPTH = "rrDepth";
 
     /** Copies the map. */
     public RenderSettingsRequest {

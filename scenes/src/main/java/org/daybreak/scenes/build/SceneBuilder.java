@@ -61,8 +61,7 @@ public final class SceneBuilder {
         OptionalLong seed = sampler != null && sampler.has("seed")
                 ? OptionalLong.of((long) sampler.number("seed"))
                 : OptionalLong.empty();
-        return new Result(
-                graph, new RenderSettingsRequest(Optional.ofNullable(rendererId), parameters, samples, seed));
+        return new Result(graph, new RenderSettingsRequest(Optional.ofNullable(rendererId), parameters, samples, seed));
     }
 
     private void readIntegrator(Properties p) {

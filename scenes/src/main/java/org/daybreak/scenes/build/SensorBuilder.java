@@ -26,7 +26,8 @@ final class SensorBuilder {
     }
 
     /** Builds a sensor into a scene. Returns its properties, null if its type is unknown. */
-    @Nullable Properties build(ObjectDescription object, SceneGraph graph) {
+    @Nullable
+    Properties build(ObjectDescription object, SceneGraph graph) {
         Properties p = context.properties(object);
         if (p == null) {
             return null;
@@ -103,10 +104,8 @@ final class SensorBuilder {
         int width = p.integer("width");
         int height = p.integer("height");
         FilmSettings.Crop crop = new FilmSettings.Crop(
-                p.integer("crop_offset_x"),
-                p.integer("crop_offset_y"),
-                (int) p.number("crop_width", width),
-                (int) p.number("crop_height", height));
+                p.integer("crop_offset_x"), p.integer("crop_offset_y"), (int) p.number("crop_width", width), (int)
+                        p.number("crop_height", height));
         if (filter == null) {
             return null;
         }
@@ -145,12 +144,15 @@ final class SensorBuilder {
                 double c = p.number("C");
                 if (Math.abs(c - (1 - b) / 2) > 1e-6) {
                     context.error(
-                            p.location("C"), "only B and C with C = (1 - B) / 2 are supported but B = " + b + ", C = " + c);
+                            p.location("C"),
+                            "only B and C with C = (1 - B) / 2 are supported but B = " + b + ", C = " + c);
                     return null;
                 }
                 return new ReconstructionFilter(ReconstructionFilter.Kind.MITCHELL, 2, b);
             }
-            default -> throw new IllegalStateException("no builder for " + child.object().label());
+            default ->
+                throw new IllegalStateException(
+                        "no builder for " + child.object().label());
         }
     }
 }

@@ -90,15 +90,16 @@ final class ShapeBuilder {
         if (!child.object().type().equals("shapegroup")) {
             context.error(
                     child.location(),
-                    "<shape type=\"instance\"> must contain a shapegroup but is given " + child.object().label());
+                    "<shape type=\"instance\"> must contain a shapegroup but is given "
+                            + child.object().label());
             return null;
         }
         Properties groupProperties = context.properties(child.object());
         if (groupProperties == null) {
             return null;
         }
-        Group group = context.<Group>build(
-                object, usedAt, () -> group(child.object(), groupProperties, child.location()));
+        Group group =
+                context.<Group>build(object, usedAt, () -> group(child.object(), groupProperties, child.location()));
         if (group == null) {
             return null;
         }
@@ -128,7 +129,9 @@ final class ShapeBuilder {
                 case "rectangle" -> shape = new Rectangle();
                 case "disk" -> shape = new Disk();
                 case "cube" -> shape = new Cube();
-                default -> throw new IllegalStateException("no builder for " + p.object().label());
+                default ->
+                    throw new IllegalStateException(
+                            "no builder for " + p.object().label());
             }
         } catch (IllegalArgumentException e) {
             context.error(p.location(), p.object().label() + ": " + e.getMessage());
@@ -147,10 +150,12 @@ final class ShapeBuilder {
             return null;
         }
         lights++;
-        if (!emitter.object().type().equals("area") && Plugins.find(ObjectKind.EMITTER, emitter.object().type()) != null) {
+        if (!emitter.object().type().equals("area")
+                && Plugins.find(ObjectKind.EMITTER, emitter.object().type()) != null) {
             context.error(
                     emitter.location(),
-                    "a shape can only contain <emitter type=\"area\">, not " + emitter.object().label());
+                    "a shape can only contain <emitter type=\"area\">, not "
+                            + emitter.object().label());
             return null;
         }
         Properties properties = context.properties(emitter.object());

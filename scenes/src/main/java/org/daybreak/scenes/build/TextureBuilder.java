@@ -77,15 +77,13 @@ final class TextureBuilder {
         if (image == null) {
             return null;
         }
-        BitmapTexture.Filter filter = p.text("filter_type").equals("nearest")
-                ? BitmapTexture.Filter.NEAREST
-                : BitmapTexture.Filter.BILINEAR;
-        BitmapTexture.Wrap wrap =
-                switch (p.text("wrap_mode")) {
-                    case "mirror" -> BitmapTexture.Wrap.MIRROR;
-                    case "clamp" -> BitmapTexture.Wrap.CLAMP;
-                    default -> BitmapTexture.Wrap.REPEAT;
-                };
+        BitmapTexture.Filter filter =
+                p.text("filter_type").equals("nearest") ? BitmapTexture.Filter.NEAREST : BitmapTexture.Filter.BILINEAR;
+        BitmapTexture.Wrap wrap = switch (p.text("wrap_mode")) {
+            case "mirror" -> BitmapTexture.Wrap.MIRROR;
+            case "clamp" -> BitmapTexture.Wrap.CLAMP;
+            default -> BitmapTexture.Wrap.REPEAT;
+        };
         return new BitmapTexture(image, filter, wrap, uvTransform(p));
     }
 
@@ -130,7 +128,8 @@ final class TextureBuilder {
     }
 
     /** The panorama of an environment; null after an error that has been reported. */
-    @Nullable RadianceMap radianceMap(Properties p) {
+    @Nullable
+    RadianceMap radianceMap(Properties p) {
         Path file = p.has("filename") ? context.file(p.text("filename"), p.location("filename")) : null;
         LoadedImage loaded = file == null ? null : load(file, p.location("filename"));
         if (file == null || loaded == null) {
@@ -175,7 +174,9 @@ final class TextureBuilder {
             context.error(
                     location,
                     "images of type '" + ending + "' cannot be read; known: "
-                            + String.join(", ", context.images().endings().stream().sorted().toList()));
+                            + String.join(
+                                    ", ",
+                                    context.images().endings().stream().sorted().toList()));
             return null;
         }
         try {

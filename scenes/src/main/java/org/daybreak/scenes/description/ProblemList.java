@@ -50,7 +50,8 @@ public final class ProblemList {
             return List.copyOf(errors);
         }
         List<SceneProblem> all = new ArrayList<>(errors);
-        SourceLocation last = SourceLocation.of(errors.get(errors.size() - 1).location().file());
+        SourceLocation last =
+                SourceLocation.of(errors.get(errors.size() - 1).location().file());
         all.add(new SceneProblem(last, unlisted + " further errors are not listed"));
         return List.copyOf(all);
     }

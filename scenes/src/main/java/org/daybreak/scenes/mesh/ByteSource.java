@@ -141,7 +141,8 @@ final class ByteSource implements Closeable {
         double value = parse();
         if (Double.isNaN(value)) {
             throw new MeshFormatException(
-                    line, tokenLength == 0 ? what + " is missing" : what + " '" + tokenText() + "' is not a finite number");
+                    line,
+                    tokenLength == 0 ? what + " is missing" : what + " '" + tokenText() + "' is not a finite number");
         }
         return value;
     }
@@ -165,7 +166,8 @@ final class ByteSource implements Closeable {
         }
         if (i == first || i < tokenLength) {
             throw new MeshFormatException(
-                    line, tokenLength == 0 ? what + " is missing" : what + " '" + tokenText() + "' is not a whole number");
+                    line,
+                    tokenLength == 0 ? what + " is missing" : what + " '" + tokenText() + "' is not a whole number");
         }
         return negative ? -value : value;
     }

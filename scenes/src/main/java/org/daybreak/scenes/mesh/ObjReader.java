@@ -19,8 +19,22 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ObjReader {
     private static final Set<String> PASSED_OVER = Set.of(
-            "g", "o", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "l", "p", "lod", "bevel", "c_interp", "d_interp",
-            "shadow_obj", "trace_obj");
+            "g",
+            "o",
+            "s",
+            "mg",
+            "usemtl",
+            "mtllib",
+            "usemap",
+            "maplib",
+            "l",
+            "p",
+            "lod",
+            "bevel",
+            "c_interp",
+            "d_interp",
+            "shadow_obj",
+            "trace_obj");
     private static final Set<String> FREE_FORM = Set.of(
             "vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end",
             "con", "ctech", "stech");

@@ -110,7 +110,8 @@ final class PlyHeader {
                         throw new MeshFormatException(line, "'property' before the first 'element'");
                     }
                     if (++properties > MOST_PROPERTIES) {
-                        throw new MeshFormatException(line, "the header has more than " + MOST_PROPERTIES + " properties");
+                        throw new MeshFormatException(
+                                line, "the header has more than " + MOST_PROPERTIES + " properties");
                     }
                     elements.get(elements.size() - 1).properties().add(readProperty(source));
                 }
@@ -122,8 +123,10 @@ final class PlyHeader {
                     return new PlyHeader(encoding, elements);
                 }
                 case "comment", "obj_info" -> {}
-                default -> throw new MeshFormatException(
-                        line, "unknown header statement '" + statement + "'" + NearestName.hint(statement, STATEMENTS));
+                default ->
+                    throw new MeshFormatException(
+                            line,
+                            "unknown header statement '" + statement + "'" + NearestName.hint(statement, STATEMENTS));
             }
             source.skipLine();
         }
@@ -141,10 +144,12 @@ final class PlyHeader {
             case "ascii" -> Encoding.ASCII;
             case "binary_little_endian" -> Encoding.LITTLE_ENDIAN;
             case "binary_big_endian" -> Encoding.BIG_ENDIAN;
-            default -> throw new MeshFormatException(
-                    source.line(),
-                    "unknown format '" + name + "'"
-                            + NearestName.hint(name, List.of("ascii", "binary_little_endian", "binary_big_endian")));
+            default ->
+                throw new MeshFormatException(
+                        source.line(),
+                        "unknown format '" + name + "'"
+                                + NearestName.hint(
+                                        name, List.of("ascii", "binary_little_endian", "binary_big_endian")));
         };
     }
 

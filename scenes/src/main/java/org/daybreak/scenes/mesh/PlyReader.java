@@ -110,7 +110,8 @@ public final class PlyReader {
         int[] targets = new int[properties.size()];
         boolean[] present = new boolean[NAMES.size()];
         for (int i = 0; i < targets.length; i++) {
-            targets[i] = properties.get(i).isList() ? -1 : target(properties.get(i).name());
+            targets[i] =
+                    properties.get(i).isList() ? -1 : target(properties.get(i).name());
             if (targets[i] >= 0) {
                 if (present[targets[i]]) {
                     throw new MeshFormatException(

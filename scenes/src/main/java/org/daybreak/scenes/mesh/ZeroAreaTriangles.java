@@ -25,7 +25,9 @@ public final class ZeroAreaTriangles {
                 kept = all.clone();
             }
         }
-        return kept == all ? mesh : new TriangleMesh(mesh.positions(), Arrays.copyOf(kept, size), mesh.normals(), mesh.uvs());
+        return kept == all
+                ? mesh
+                : new TriangleMesh(mesh.positions(), Arrays.copyOf(kept, size), mesh.normals(), mesh.uvs());
     }
 
     private static boolean hasArea(float[] p, int a, int b, int c) {

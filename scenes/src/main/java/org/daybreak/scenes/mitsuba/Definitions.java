@@ -70,8 +70,8 @@ final class Definitions {
             }
             if (result.length() > LONGEST_VALUE) {
                 problems.error(
-                        location, "with its definitions put in, an attribute is longer than " + LONGEST_VALUE
-                                + " characters");
+                        location,
+                        "with its definitions put in, an attribute is longer than " + LONGEST_VALUE + " characters");
                 return "";
             }
             dollar = text.indexOf('$', from);

@@ -44,10 +44,22 @@ final class Transforms {
         double c = Math.cos(Math.toRadians(degrees));
         double d = 1 - c;
         return new Matrix4d(
-                c + x * x * d, x * y * d - z * s, x * z * d + y * s, 0,
-                x * y * d + z * s, c + y * y * d, y * z * d - x * s, 0,
-                x * z * d - y * s, y * z * d + x * s, c + z * z * d, 0,
-                0, 0, 0, 1);
+                c + x * x * d,
+                x * y * d - z * s,
+                x * z * d + y * s,
+                0,
+                x * y * d + z * s,
+                c + y * y * d,
+                y * z * d - x * s,
+                0,
+                x * z * d - y * s,
+                y * z * d + x * s,
+                c + z * z * d,
+                0,
+                0,
+                0,
+                0,
+                1);
     }
 
     /** A matrix of 16 numbers, or of 9 for its linear part, row by row. */
@@ -88,10 +100,8 @@ final class Transforms {
         newUp.cross(forward, left);
         normalize(newUp);
         return new Matrix4d(
-                left.x, newUp.x, forward.x, origin[0],
-                left.y, newUp.y, forward.y, origin[1],
-                left.z, newUp.z, forward.z, origin[2],
-                0, 0, 0, 1);
+                left.x, newUp.x, forward.x, origin[0], left.y, newUp.y, forward.y, origin[1], left.z, newUp.z,
+                forward.z, origin[2], 0, 0, 0, 1);
     }
 
     private static boolean normalize(Vector3d v) {

@@ -56,8 +56,21 @@ final class XmlFileParser {
 
     private static TreeSet<String> elements() {
         TreeSet<String> names = new TreeSet<>(List.of(
-                "boolean", "integer", "float", "string", "point", "vector", "rgb", "srgb", "spectrum", "transform", "ref",
-                "include", "default", "alias", "path"));
+                "boolean",
+                "integer",
+                "float",
+                "string",
+                "point",
+                "vector",
+                "rgb",
+                "srgb",
+                "spectrum",
+                "transform",
+                "ref",
+                "include",
+                "default",
+                "alias",
+                "path"));
         for (ObjectKind kind : ObjectKind.values()) {
             if (kind != ObjectKind.SCENE) {
                 names.add(kind.element());
@@ -77,8 +90,9 @@ final class XmlFileParser {
         } catch (XMLStreamException e) {
             reader.setBroken();
             Location at = e.getLocation();
-            SourceLocation location =
-                    at == null ? SourceLocation.of(file) : new SourceLocation(file, at.getLineNumber(), at.getColumnNumber());
+            SourceLocation location = at == null
+                    ? SourceLocation.of(file)
+                    : new SourceLocation(file, at.getLineNumber(), at.getColumnNumber());
             problems.error(location, "the XML is not well-formed: " + reason(e));
             return List.of();
         } catch (StopException e) {
@@ -103,7 +117,9 @@ final class XmlFileParser {
     private static String reason(XMLStreamException e) {
         String message = String.valueOf(e.getMessage());
         int start = message.indexOf("Message: ");
-        return (start < 0 ? message : message.substring(start + 9)).replaceAll("\\s+", " ").strip();
+        return (start < 0 ? message : message.substring(start + 9))
+                .replaceAll("\\s+", " ")
+                .strip();
     }
 
     private List<PropertyDescription> parseRoot(boolean main) throws XMLStreamException {
@@ -114,8 +130,7 @@ final class XmlFileParser {
         String element = xml.getLocalName();
         ObjectKind kind = MitsubaReader.kind(element);
         if (kind == null || main && kind != ObjectKind.SCENE) {
-            throw new StopException(
-                    location, "the root of a scene file must be <scene> but is <" + element + ">");
+            throw new StopException(location, "the root of a scene file must be <scene> but is <" + element + ">");
         }
         Map<String, String> attributes = attributes(location);
         checkVersion(attributes.remove("version"), location);
@@ -156,10 +171,15 @@ final class XmlFileParser {
         switch (event) {
             case XMLStreamConstants.DTD -> {
                 int at = Math.max(0, text.indexOf("<!DOCTYPE"));
-                int line = 1 + (int) text.substring(0, at).chars().filter(c -> c == '\n').count();
+                int line = 1
+                        + (int) text.substring(0, at)
+                                .chars()
+                                .filter(c -> c == '\n')
+                                .count();
                 int column = at - text.lastIndexOf('\n', Math.max(0, at - 1));
                 throw new StopException(
-                        new SourceLocation(file, line, at == 0 ? 1 : column), "a document type (DOCTYPE) is not allowed");
+                        new SourceLocation(file, line, at == 0 ? 1 : column),
+                        "a document type (DOCTYPE) is not allowed");
             }
             case XMLStreamConstants.ENTITY_REFERENCE -> throw new StopException(here(), "an entity is not allowed");
             case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> {
@@ -273,7 +293,11 @@ final class XmlFileParser {
         switch (element) {
             case "boolean", "integer", "float", "string", "rgb", "srgb", "spectrum" -> {
                 if (check(element, attributes, location, List.of("name", "value"), List.of())) {
-                    add(properties, attributes, location, () -> simpleValue(element, attributes.getOrDefault("value", "")));
+                    add(
+                            properties,
+                            attributes,
+                            location,
+                            () -> simpleValue(element, attributes.getOrDefault("value", "")));
                 } else {
                     addInvalid(properties, attributes, location);
                 }
@@ -313,8 +337,8 @@ final class XmlFileParser {
                     reader.addFolder(attributes.getOrDefault("value", ""), location);
                 }
             }
-            case "translate", "rotate", "scale", "lookat", "matrix" -> problems.error(
-                    location, "<" + element + "> can only stand in <transform>");
+            case "translate", "rotate", "scale", "lookat", "matrix" ->
+                problems.error(location, "<" + element + "> can only stand in <transform>");
             default -> {
                 problems.unknownName(location, "unknown element <" + element + ">", element, ELEMENTS);
                 skip(false);
@@ -329,8 +353,7 @@ final class XmlFileParser {
             reader.definitions().addDefault(name, value);
         } else {
             problems.error(
-                    location,
-                    "'" + Numbers.shortened(name) + "' cannot be used as $name: letters, digits and _ only");
+                    location, "'" + Numbers.shortened(name) + "' cannot be used as $name: letters, digits and _ only");
         }
     }
 
@@ -355,7 +378,10 @@ final class XmlFileParser {
     }
 
     private void add(
-            List<PropertyDescription> properties, Map<String, String> attributes, SourceLocation location, Parsed parsed) {
+            List<PropertyDescription> properties,
+            Map<String, String> attributes,
+            SourceLocation location,
+            Parsed parsed) {
         try {
             properties.add(new PropertyDescription(attributes.getOrDefault("name", ""), parsed.get(), location));
         } catch (FormatException e) {
@@ -492,8 +518,9 @@ final class XmlFileParser {
                 requirePart(element, a, location, List.of("value"), List.of());
                 return Transforms.matrix(Numbers.list(a.getOrDefault("value", "")));
             }
-            default -> throw new FormatException("<" + element + "> cannot stand in <transform>"
-                    + NearestName.hint(element, List.of("translate", "rotate", "scale", "lookat", "matrix")));
+            default ->
+                throw new FormatException("<" + element + "> cannot stand in <transform>"
+                        + NearestName.hint(element, List.of("translate", "rotate", "scale", "lookat", "matrix")));
         }
     }
 

@@ -64,8 +64,7 @@ final class XmlText {
         if (b0 == 0xff && b1 == 0xfe) {
             return decode(bytes, 2, StandardCharsets.UTF_16LE);
         }
-        String start =
-                new String(bytes, 0, Math.min(bytes.length, DECLARATION_LENGTH), StandardCharsets.ISO_8859_1);
+        String start = new String(bytes, 0, Math.min(bytes.length, DECLARATION_LENGTH), StandardCharsets.ISO_8859_1);
         Matcher matcher = ENCODING.matcher(start);
         String name = matcher.find() ? matcher.group(1) : "UTF-8";
         try {
