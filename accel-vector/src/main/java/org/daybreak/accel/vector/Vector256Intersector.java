@@ -1,0 +1,352 @@
+package org.daybreak.accel.vector;
+
+import java.util.Locale;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+import org.daybreak.core.accel.Intersector;
+import org.daybreak.core.accel.OtherPrimitives;
+import org.daybreak.core.accel.PreparedRay;
+import org.daybreak.core.accel.PrimitiveSet;
+import org.daybreak.core.accel.Ray;
+import org.daybreak.core.accel.WideBvh;
+
+/**
+ * Traversal of a {@link WideBvh} with 256-bit vectors. Species must be constants of the kernel, so there is one class for
+ * each width; this one and its sibling differ in that number alone, which a test checks.
+ *
+ * <p>A query is one method without calls that take or return vectors: those would box them. Distances are compared as
+ * int bits, which order like the floats as long as one side is not negative; the float minimum of Java costs five
+ * instructions.
+ */
+final class Vector256Intersector implements Intersector {
+    private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
+    private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
+    private static final int W = FLOATS.length();
+
+    private final WideBvh bvh;
+    private final float[] nodes;
+    private final float[] blocks;
+    private final int[] numbers;
+    private final OtherPrimitives others;
+    private final int root;
+    private final int stackSize;
+    private final double scale;
+
+    private Vector256Intersector(WideBvh bvh) {
+        this.bvh = bvh;
+        nodes = bvh.nodes();
+        blocks = bvh.blocks();
+        numbers = bvh.numbers();
+        others = bvh.others();
+        root = bvh.root();
+        stackSize = bvh.stackSize();
+        scale = bvh.scale();
+    }
+
+    static Intersector build(PrimitiveSet set, int threads) {
+        return new Vector256Intersector(WideBvh.build(set, W, threads));
+    }
+
+    @Override
+    public boolean intersect(Ray ray) {
+        ray.primitive = -1;
+        ray.instance = -1;
+        ray.t = ray.tMax;
+        if (root == WideBvh.EMPTY) {
+            return false;
+        }
+        PreparedRay p = ray.prepare(scale);
+        float[] n = nodes;
+        float[] b = blocks;
+        long[] stack = ray.stack(stackSize);
+        int[] lanes = ray.lanes;
+        FloatVector ix = FloatVector.broadcast(FLOATS, p.inverseX);
+        FloatVector iy = FloatVector.broadcast(FLOATS, p.inverseY);
+        FloatVector iz = FloatVector.broadcast(FLOATS, p.inverseZ);
+        FloatVector nx = FloatVector.broadcast(FLOATS, p.nearX);
+        FloatVector ny = FloatVector.broadcast(FLOATS, p.nearY);
+        FloatVector nz = FloatVector.broadcast(FLOATS, p.nearZ);
+        FloatVector fx = FloatVector.broadcast(FLOATS, p.farX);
+        FloatVector fy = FloatVector.broadcast(FLOATS, p.farY);
+        FloatVector fz = FloatVector.broadcast(FLOATS, p.farZ);
+        int nearX = p.inverseX < 0 ? 3 * W : 0;
+        int nearY = p.inverseY < 0 ? 4 * W : W;
+        int nearZ = p.inverseZ < 0 ? 5 * W : 2 * W;
+        int farX = 3 * W - nearX;
+        int farY = 5 * W - nearY;
+        int farZ = 7 * W - nearZ;
+        int axisU = W * p.axisU;
+        int axisV = W * p.axisV;
+        int axisW = W * p.axisW;
+        FloatVector ou = FloatVector.broadcast(FLOATS, p.originU);
+        FloatVector ov = FloatVector.broadcast(FLOATS, p.originV);
+        FloatVector ow = FloatVector.broadcast(FLOATS, p.originW);
+        FloatVector su = FloatVector.broadcast(FLOATS, -p.shearU);
+        FloatVector sv = FloatVector.broadcast(FLOATS, -p.shearV);
+        int best = Float.floatToRawIntBits(p.tMax);
+        int bestLane = -1;
+        boolean found = false;
+        int sp = 0;
+        int reference = root;
+        while (true) {
+            if (reference >= 0) {
+                int at = reference;
+                IntVector near = FloatVector.fromArray(FLOATS, n, at + nearX)
+                        .fma(ix, nx)
+                        .reinterpretAsInts()
+                        .max(FloatVector.fromArray(FLOATS, n, at + nearY)
+                                .fma(iy, ny)
+                                .reinterpretAsInts())
+                        .max(FloatVector.fromArray(FLOATS, n, at + nearZ)
+                                .fma(iz, nz)
+                                .reinterpretAsInts())
+                        .max(IntVector.zero(INTS));
+                IntVector far = FloatVector.fromArray(FLOATS, n, at + farX)
+                        .fma(ix, fx)
+                        .reinterpretAsInts()
+                        .min(FloatVector.fromArray(FLOATS, n, at + farY)
+                                .fma(iy, fy)
+                                .reinterpretAsInts())
+                        .min(FloatVector.fromArray(FLOATS, n, at + farZ)
+                                .fma(iz, fz)
+                                .reinterpretAsInts())
+                        .min(IntVector.broadcast(INTS, best))
+                        .add(IntVector.broadcast(INTS, PreparedRay.ULPS));
+                long hits = near.compare(VectorOperators.LE, far).toLong();
+                if (hits != 0) {
+                    int references = at + 6 * W;
+                    int lane = Long.numberOfTrailingZeros(hits);
+                    hits &= hits - 1;
+                    reference = Float.floatToRawIntBits(n[references + lane]);
+                    if (hits == 0) {
+                        continue;
+                    }
+                    near.intoArray(lanes, 0);
+                    int bottom = sp;
+                    stack[sp++] = (long) lanes[lane] << 32 | reference & 0xffffffffL;
+                    do {
+                        lane = Long.numberOfTrailingZeros(hits);
+                        hits &= hits - 1;
+                        long entry = (long) lanes[lane] << 32
+                                | Float.floatToRawIntBits(n[references + lane]) & 0xffffffffL;
+                        int slot = sp++;
+                        while (slot > bottom && stack[slot - 1] < entry) {
+                            stack[slot] = stack[slot - 1];
+                            slot--;
+                        }
+                        stack[slot] = entry;
+                    } while (hits != 0);
+                    reference = (int) stack[--sp];
+                    continue;
+                }
+            } else if ((reference & 1) != 0) {
+                int block = ~reference >> 1;
+                int at = 9 * W * block;
+                FloatVector aw = FloatVector.fromArray(FLOATS, b, at + axisW).sub(ow);
+                FloatVector bw =
+                        FloatVector.fromArray(FLOATS, b, at + 3 * W + axisW).sub(ow);
+                FloatVector cw =
+                        FloatVector.fromArray(FLOATS, b, at + 6 * W + axisW).sub(ow);
+                FloatVector au = aw.fma(su, FloatVector.fromArray(FLOATS, b, at + axisU).sub(ou));
+                FloatVector av = aw.fma(sv, FloatVector.fromArray(FLOATS, b, at + axisV).sub(ov));
+                FloatVector bu = bw.fma(
+                        su, FloatVector.fromArray(FLOATS, b, at + 3 * W + axisU).sub(ou));
+                FloatVector bv = bw.fma(
+                        sv, FloatVector.fromArray(FLOATS, b, at + 3 * W + axisV).sub(ov));
+                FloatVector cu = cw.fma(
+                        su, FloatVector.fromArray(FLOATS, b, at + 6 * W + axisU).sub(ou));
+                FloatVector cv = cw.fma(
+                        sv, FloatVector.fromArray(FLOATS, b, at + 6 * W + axisV).sub(ov));
+                FloatVector ea = cu.mul(bv).sub(cv.mul(bu));
+                FloatVector eb = au.mul(cv).sub(av.mul(cu));
+                FloatVector ec = bu.mul(av).sub(bv.mul(au));
+                FloatVector zero = FloatVector.zero(FLOATS);
+                FloatVector inverse = FloatVector.broadcast(FLOATS, 1).div(ea.add(eb).add(ec));
+                // The sum with zero turns -0 into +0, so that the sign bit tells inside from outside.
+                FloatVector wa = ea.fma(inverse, zero);
+                FloatVector wb = eb.fma(inverse, zero);
+                FloatVector wc = ec.fma(inverse, zero);
+                IntVector t = wa.mul(aw)
+                        .add(wb.mul(bw))
+                        .add(wc.mul(cw))
+                        .mul(FloatVector.broadcast(FLOATS, p.sign))
+                        .reinterpretAsInts();
+                IntVector signs = wa.reinterpretAsInts()
+                        .or(wb.reinterpretAsInts())
+                        .or(wc.reinterpretAsInts())
+                        .or(t);
+                VectorMask<Integer> inside = signs.compare(VectorOperators.GE, 0)
+                        .and(t.compare(VectorOperators.LT, IntVector.broadcast(INTS, best)));
+                long hits = inside.toLong();
+                if (hits != 0) {
+                    t.intoArray(lanes, 0);
+                    do {
+                        int lane = Long.numberOfTrailingZeros(hits);
+                        hits &= hits - 1;
+                        int bits = lanes[lane];
+                        if (bits > 0 && bits < best) {
+                            best = bits;
+                            bestLane = W * block + lane;
+                            found = true;
+                        }
+                    } while (hits != 0);
+                }
+            } else {
+                double tMax = bestLane >= 0 ? Float.intBitsToFloat(best) * p.toParameter : found ? ray.t : ray.tMax;
+                if (others.intersect(ray, ~reference >> 1, tMax)) {
+                    found = true;
+                    bestLane = -1;
+                    best = Float.floatToRawIntBits((float) (ray.t * p.fromParameter));
+                }
+            }
+            long entry;
+            do {
+                if (sp == 0) {
+                    if (bestLane >= 0) {
+                        ray.t = Float.intBitsToFloat(best) * p.toParameter;
+                        ray.primitive = numbers[bestLane];
+                        ray.instance = -1;
+                    }
+                    return found;
+                }
+                entry = stack[--sp];
+                reference = (int) entry;
+            } while ((int) (entry >>> 32) > best);
+        }
+    }
+
+    @Override
+    public boolean occluded(Ray ray) {
+        if (root == WideBvh.EMPTY) {
+            return false;
+        }
+        PreparedRay p = ray.prepare(scale);
+        float[] n = nodes;
+        float[] b = blocks;
+        long[] stack = ray.stack(stackSize);
+        FloatVector ix = FloatVector.broadcast(FLOATS, p.inverseX);
+        FloatVector iy = FloatVector.broadcast(FLOATS, p.inverseY);
+        FloatVector iz = FloatVector.broadcast(FLOATS, p.inverseZ);
+        FloatVector nx = FloatVector.broadcast(FLOATS, p.nearX);
+        FloatVector ny = FloatVector.broadcast(FLOATS, p.nearY);
+        FloatVector nz = FloatVector.broadcast(FLOATS, p.nearZ);
+        FloatVector fx = FloatVector.broadcast(FLOATS, p.farX);
+        FloatVector fy = FloatVector.broadcast(FLOATS, p.farY);
+        FloatVector fz = FloatVector.broadcast(FLOATS, p.farZ);
+        int nearX = p.inverseX < 0 ? 3 * W : 0;
+        int nearY = p.inverseY < 0 ? 4 * W : W;
+        int nearZ = p.inverseZ < 0 ? 5 * W : 2 * W;
+        int farX = 3 * W - nearX;
+        int farY = 5 * W - nearY;
+        int farZ = 7 * W - nearZ;
+        int axisU = W * p.axisU;
+        int axisV = W * p.axisV;
+        int axisW = W * p.axisW;
+        FloatVector ou = FloatVector.broadcast(FLOATS, p.originU);
+        FloatVector ov = FloatVector.broadcast(FLOATS, p.originV);
+        FloatVector ow = FloatVector.broadcast(FLOATS, p.originW);
+        FloatVector su = FloatVector.broadcast(FLOATS, -p.shearU);
+        FloatVector sv = FloatVector.broadcast(FLOATS, -p.shearV);
+        int best = Float.floatToRawIntBits(p.tMax);
+        int sp = 0;
+        int reference = root;
+        while (true) {
+            if (reference >= 0) {
+                int at = reference;
+                IntVector near = FloatVector.fromArray(FLOATS, n, at + nearX)
+                        .fma(ix, nx)
+                        .reinterpretAsInts()
+                        .max(FloatVector.fromArray(FLOATS, n, at + nearY)
+                                .fma(iy, ny)
+                                .reinterpretAsInts())
+                        .max(FloatVector.fromArray(FLOATS, n, at + nearZ)
+                                .fma(iz, nz)
+                                .reinterpretAsInts())
+                        .max(IntVector.zero(INTS));
+                IntVector far = FloatVector.fromArray(FLOATS, n, at + farX)
+                        .fma(ix, fx)
+                        .reinterpretAsInts()
+                        .min(FloatVector.fromArray(FLOATS, n, at + farY)
+                                .fma(iy, fy)
+                                .reinterpretAsInts())
+                        .min(FloatVector.fromArray(FLOATS, n, at + farZ)
+                                .fma(iz, fz)
+                                .reinterpretAsInts())
+                        .min(IntVector.broadcast(INTS, best))
+                        .add(IntVector.broadcast(INTS, PreparedRay.ULPS));
+                long hits = near.compare(VectorOperators.LE, far).toLong();
+                int references = at + 6 * W;
+                while (hits != 0) {
+                    int lane = Long.numberOfTrailingZeros(hits);
+                    hits &= hits - 1;
+                    stack[sp++] = Float.floatToRawIntBits(n[references + lane]);
+                }
+            } else if ((reference & 1) != 0) {
+                int at = 9 * W * (~reference >> 1);
+                FloatVector aw = FloatVector.fromArray(FLOATS, b, at + axisW).sub(ow);
+                FloatVector bw =
+                        FloatVector.fromArray(FLOATS, b, at + 3 * W + axisW).sub(ow);
+                FloatVector cw =
+                        FloatVector.fromArray(FLOATS, b, at + 6 * W + axisW).sub(ow);
+                FloatVector au = aw.fma(su, FloatVector.fromArray(FLOATS, b, at + axisU).sub(ou));
+                FloatVector av = aw.fma(sv, FloatVector.fromArray(FLOATS, b, at + axisV).sub(ov));
+                FloatVector bu = bw.fma(
+                        su, FloatVector.fromArray(FLOATS, b, at + 3 * W + axisU).sub(ou));
+                FloatVector bv = bw.fma(
+                        sv, FloatVector.fromArray(FLOATS, b, at + 3 * W + axisV).sub(ov));
+                FloatVector cu = cw.fma(
+                        su, FloatVector.fromArray(FLOATS, b, at + 6 * W + axisU).sub(ou));
+                FloatVector cv = cw.fma(
+                        sv, FloatVector.fromArray(FLOATS, b, at + 6 * W + axisV).sub(ov));
+                FloatVector ea = cu.mul(bv).sub(cv.mul(bu));
+                FloatVector eb = au.mul(cv).sub(av.mul(cu));
+                FloatVector ec = bu.mul(av).sub(bv.mul(au));
+                FloatVector zero = FloatVector.zero(FLOATS);
+                FloatVector inverse = FloatVector.broadcast(FLOATS, 1).div(ea.add(eb).add(ec));
+                FloatVector wa = ea.fma(inverse, zero);
+                FloatVector wb = eb.fma(inverse, zero);
+                FloatVector wc = ec.fma(inverse, zero);
+                IntVector t = wa.mul(aw)
+                        .add(wb.mul(bw))
+                        .add(wc.mul(cw))
+                        .mul(FloatVector.broadcast(FLOATS, p.sign))
+                        .reinterpretAsInts();
+                IntVector signs = wa.reinterpretAsInts()
+                        .or(wb.reinterpretAsInts())
+                        .or(wc.reinterpretAsInts())
+                        .or(t)
+                        .or(t.sub(1));
+                VectorMask<Integer> inside = signs.compare(VectorOperators.GE, 0)
+                        .and(t.compare(VectorOperators.LT, IntVector.broadcast(INTS, best)));
+                if (inside.anyTrue()) {
+                    return true;
+                }
+            } else if (others.occluded(ray, ~reference >> 1, ray.tMax)) {
+                return true;
+            }
+            if (sp == 0) {
+                return false;
+            }
+            reference = (int) stack[--sp];
+        }
+    }
+
+    @Override
+    public void bounds(float[] target) {
+        bvh.bounds(target);
+    }
+
+    @Override
+    public String describe() {
+        return String.format(
+                Locale.ROOT, "bvh%d-256, %d triangles, %.1f MB", W, bvh.triangleCount(), memoryBytes() / 1e6);
+    }
+
+    @Override
+    public long memoryBytes() {
+        return bvh.memoryBytes();
+    }
+}

@@ -1,0 +1,36 @@
+package org.daybreak.accel.vector;
+
+import java.util.Optional;
+import org.daybreak.core.accel.Intersector;
+import org.daybreak.core.accel.IntersectorProvider;
+import org.daybreak.core.accel.PrimitiveSet;
+
+/** Provides BVHs for 512-bit vectors. */
+public final class Vector512Provider implements IntersectorProvider {
+    private static final int BITS = 512;
+
+    @Override
+    public String id() {
+        return "vector" + BITS;
+    }
+
+    @Override
+    public String description() {
+        return "BVH with " + BITS / 32 + " children, " + BITS + "-bit vectors";
+    }
+
+    @Override
+    public int priority() {
+        return BITS;
+    }
+
+    @Override
+    public Optional<String> unavailability() {
+        return VectorSupport.unavailability(BITS);
+    }
+
+    @Override
+    public Intersector build(PrimitiveSet primitives, int threads) {
+        return Vector512Intersector.build(primitives, threads);
+    }
+}

@@ -1,0 +1,286 @@
+package org.daybreak.core.accel;
+
+/**
+ * Turns the answer of an {@link Intersector} into a point in double precision, and tells how far the origin of a ray
+ * that leaves this point must be moved off the surface. Mutable; owned by one worker.
+ *
+ * <p><b>Why offsets of this size.</b> Write ε = 2⁻²⁴. The point lies on its triangle up to 2⁻⁵⁰ of the coordinates. A
+ * new ray from it is tested in single precision:
+ *
+ * <ul>
+ *   <li>its origin is rounded, which moves it by at most ε |oᵢ| along each axis, hence at most √3 ε max|oᵢ| across any
+ *       plane;
+ *   <li>subtracting the origin from a vertex costs ε |Vᵢ − oᵢ| and shearing costs at most 3 ε times the extent of the
+ *       triangle, seen from a point in it. This is the same as moving each vertex so far; a hit is an average of the
+ *       vertices with weights in [0, 1], so the tested surface is no farther than that from the true one;
+ *   <li>the weights have an error of 3 ε E² / |det|, E the extent. Where that matters, the surface is seen so nearly
+ *       edge-on that the plane is crossed at t = −δ / (d·n) with |d·n| ≈ |det| / E²; T is then off by less than 3 ε E³ /
+ *       |det|, so that it keeps its sign if the distance δ from the plane exceeds 3 ε E.
+ * </ul>
+ *
+ * Together 2 ε max|o| + 8 ε E is enough; {@link #offset} is twice that. A ray from {@code p ± offset · n} that goes away
+ * from the surface therefore meets neither its own triangle nor a coplanar neighbour of similar size. For the same
+ * reason the point is kept off the edges of its triangle by a like distance: otherwise the rounded origin may lie
+ * beyond a wall that stands on the edge, and the ray would leave a closed room.
+ *
+ * <p>Quadrics are tested in double precision; 2⁻⁴⁴ takes the place of ε. In instances the error arises in the space of
+ * the level; a distance between planes there becomes the distance divided by |Mᵀn|, M the linear part of the map from
+ * world to object.
+ */
+public final class HitRefinement {
+    private static final double FLOAT_EPSILON = 0x1p-24;
+    private static final double DOUBLE_EPSILON = 0x1p-44;
+    private static final double POSITION_FACTOR = 4;
+    private static final double EXTENT_FACTOR = 16;
+
+    /** Farthest that a hit is kept off an edge, as a barycentric coordinate. */
+    private static final double MOST_INSET = 1.0 / 16;
+
+    /** Parameter of the hit on the ray that was refined. */
+    public double t;
+
+    /** Barycentric coordinates of the second and third vertex; for quadrics undefined. */
+    public double u, v;
+
+    /** The point, in world space. */
+    public double x, y, z;
+
+    /** The point in the object space of the quadric; for triangles undefined. */
+    public double objectX, objectY, objectZ;
+
+    /**
+     * Unit geometric normal in world space. For triangles the side from which the vertices run counter-clockwise, seen
+     * in the space of their own level (an instance that mirrors does not swap the sides); for quadrics outward, and +z
+     * of the disk.
+     */
+    public double normalX, normalY, normalZ;
+
+    /** Distance along ± the normal by which to move the origin of a ray that leaves the point. */
+    public double offset;
+
+    private final Ray local = new Ray();
+    private final float[] corners = new float[9];
+
+    /**
+     * Refines the hit that the ray reports.
+     *
+     * @param set what was intersected
+     * @param ray the query with its answer; a hit
+     * @param level what the instance that was hit places; ignored for hits outside instances
+     */
+    public void refine(PrimitiveSet set, Ray ray, PrimitiveSet level) {
+        if (ray.instance < 0) {
+            refineInLevel(set, ray.primitive, ray);
+            return;
+        }
+        Instance instance = set.instance(ray.instance);
+        instance.toObject(ray, local);
+        local.t = ray.t;
+        refineInLevel(level, ray.primitive, local);
+        toWorld(instance);
+    }
+
+    private void refineInLevel(PrimitiveSet set, int primitive, Ray ray) {
+        int triangles = set.triangleCount();
+        if (primitive >= triangles) {
+            quadric(set.quadric(primitive - triangles), ray);
+            return;
+        }
+        float[] positions = set.positions();
+        int[] indices = set.triangles();
+        triangle(
+                positions,
+                3 * indices[3 * primitive],
+                3 * indices[3 * primitive + 1],
+                3 * indices[3 * primitive + 2],
+                ray);
+    }
+
+    /**
+     * Refines a hit on a triangle.
+     *
+     * @param positions vertices as x, y, z one after the other
+     * @param a where in the array the first vertex starts
+     * @param b where the second one starts
+     * @param c where the third one starts
+     * @param ray the query, in the space of the positions
+     */
+    public void triangle(float[] positions, int a, int b, int c, Ray ray) {
+        for (int axis = 0; axis < 3; axis++) {
+            corners[axis] = positions[a + axis];
+            corners[3 + axis] = positions[b + axis];
+            corners[6 + axis] = positions[c + axis];
+        }
+        double ax = corners[0];
+        double ay = corners[1];
+        double az = corners[2];
+        double e1x = corners[3] - ax;
+        double e1y = corners[4] - ay;
+        double e1z = corners[5] - az;
+        double e2x = corners[6] - ax;
+        double e2y = corners[7] - ay;
+        double e2z = corners[8] - az;
+        double nx = e1y * e2z - e1z * e2y;
+        double ny = e1z * e2x - e1x * e2z;
+        double nz = e1x * e2y - e1y * e2x;
+        double doubleArea = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        normalX = nx / doubleArea;
+        normalY = ny / doubleArea;
+        normalZ = nz / doubleArea;
+        double sx = ray.ox - ax;
+        double sy = ray.oy - ay;
+        double sz = ray.oz - az;
+        double qx = sy * ray.dz - sz * ray.dy;
+        double qy = sz * ray.dx - sx * ray.dz;
+        double qz = sx * ray.dy - sy * ray.dx;
+        double inverse = -1 / (nx * ray.dx + ny * ray.dy + nz * ray.dz);
+        double second = (e2x * qx + e2y * qy + e2z * qz) * inverse;
+        double third = -(e1x * qx + e1y * qy + e1z * qz) * inverse;
+        double extent = extent();
+        double magnitude = Math.max(
+                Math.abs(ray.ox + ray.t * ray.dx),
+                Math.max(Math.abs(ray.oy + ray.t * ray.dy), Math.abs(ray.oz + ray.t * ray.dz)));
+        double inset = FLOAT_EPSILON * (POSITION_FACTOR * magnitude + EXTENT_FACTOR * extent) * extent / doubleArea;
+        setInside(second, third, Math.min(MOST_INSET, inset));
+        x = ax + u * e1x + v * e2x;
+        y = ay + u * e1y + v * e2y;
+        z = az + u * e1z + v * e2z;
+        setParameter(ray);
+        magnitude = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+        offset = FLOAT_EPSILON * (POSITION_FACTOR * magnitude + EXTENT_FACTOR * extent);
+    }
+
+    /** Length of the longest edge along an axis. */
+    private double extent() {
+        float[] c = corners;
+        double extent = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            float low = Math.min(c[axis], Math.min(c[axis + 3], c[axis + 6]));
+            float high = Math.max(c[axis], Math.max(c[axis + 3], c[axis + 6]));
+            extent = Math.max(extent, (double) high - low);
+        }
+        return extent;
+    }
+
+    /** Moves barycentric coordinates into the triangle that is smaller by the inset on all three sides. */
+    private void setInside(double second, double third, double inset) {
+        double first = Math.max(inset, 1 - second - third);
+        double s = Math.max(inset, second);
+        double r = Math.max(inset, third);
+        double sum = first + s + r;
+        if (sum < Double.POSITIVE_INFINITY) {
+            u = s / sum;
+            v = r / sum;
+        } else {
+            u = 1.0 / 3;
+            v = 1.0 / 3;
+        }
+    }
+
+    private void setParameter(Ray ray) {
+        double length = ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz;
+        t = ((x - ray.ox) * ray.dx + (y - ray.oy) * ray.dy + (z - ray.oz) * ray.dz) / length;
+    }
+
+    /**
+     * Refines a hit on a quadric.
+     *
+     * @param quadric what was hit
+     * @param ray the query with its parameter t, in the space in which the quadric is placed
+     */
+    public void quadric(Quadric quadric, Ray ray) {
+        double px = ray.ox + ray.t * ray.dx;
+        double py = ray.oy + ray.t * ray.dy;
+        double pz = ray.oz + ray.t * ray.dz;
+        objectX = row(quadric, 0, px, py, pz);
+        objectY = row(quadric, 4, px, py, pz);
+        objectZ = row(quadric, 8, px, py, pz);
+        double rounding = 1;
+        for (int i = 0; i < 12; i += 4) {
+            rounding = Math.max(
+                    rounding,
+                    Math.abs(quadric.worldToObject(i) * px)
+                            + Math.abs(quadric.worldToObject(i + 1) * py)
+                            + Math.abs(quadric.worldToObject(i + 2) * pz)
+                            + Math.abs(quadric.worldToObject(i + 3)));
+        }
+        double inset = DOUBLE_EPSILON * rounding;
+        double nx;
+        double ny;
+        double nz;
+        switch (quadric.kind()) {
+            case SPHERE -> {
+                double scale = 1 / Math.sqrt(objectX * objectX + objectY * objectY + objectZ * objectZ);
+                objectX *= scale;
+                objectY *= scale;
+                objectZ *= scale;
+                nx = objectX;
+                ny = objectY;
+                nz = objectZ;
+            }
+            case DISK -> {
+                double scale = Math.min(1, (1 - inset) / Math.sqrt(objectX * objectX + objectY * objectY));
+                objectX *= scale;
+                objectY *= scale;
+                objectZ = 0;
+                nx = 0;
+                ny = 0;
+                nz = 1;
+            }
+            case CYLINDER -> {
+                double scale = 1 / Math.sqrt(objectX * objectX + objectY * objectY);
+                objectX *= scale;
+                objectY *= scale;
+                objectZ = Math.min(1 - inset, Math.max(inset, objectZ));
+                nx = objectX;
+                ny = objectY;
+                nz = 0;
+            }
+            default -> throw new IllegalStateException("unknown kind: " + quadric.kind());
+        }
+        x = place(quadric, 0);
+        y = place(quadric, 4);
+        z = place(quadric, 8);
+        double wx = quadric.worldToObject(0) * nx + quadric.worldToObject(4) * ny + quadric.worldToObject(8) * nz;
+        double wy = quadric.worldToObject(1) * nx + quadric.worldToObject(5) * ny + quadric.worldToObject(9) * nz;
+        double wz = quadric.worldToObject(2) * nx + quadric.worldToObject(6) * ny + quadric.worldToObject(10) * nz;
+        double length = Math.sqrt(wx * wx + wy * wy + wz * wz);
+        normalX = wx / length;
+        normalY = wy / length;
+        normalZ = wz / length;
+        setParameter(ray);
+        offset = inset / length;
+    }
+
+    private static double row(Quadric q, int at, double px, double py, double pz) {
+        return q.worldToObject(at) * px
+                + q.worldToObject(at + 1) * py
+                + q.worldToObject(at + 2) * pz
+                + q.worldToObject(at + 3);
+    }
+
+    private double place(Quadric q, int at) {
+        return q.objectToWorld(at) * objectX
+                + q.objectToWorld(at + 1) * objectY
+                + q.objectToWorld(at + 2) * objectZ
+                + q.objectToWorld(at + 3);
+    }
+
+    private void toWorld(Instance i) {
+        double px = x;
+        double py = y;
+        double pz = z;
+        x = i.objectToWorld(0) * px + i.objectToWorld(1) * py + i.objectToWorld(2) * pz + i.objectToWorld(3);
+        y = i.objectToWorld(4) * px + i.objectToWorld(5) * py + i.objectToWorld(6) * pz + i.objectToWorld(7);
+        z = i.objectToWorld(8) * px + i.objectToWorld(9) * py + i.objectToWorld(10) * pz + i.objectToWorld(11);
+        double nx = i.worldToObject(0) * normalX + i.worldToObject(4) * normalY + i.worldToObject(8) * normalZ;
+        double ny = i.worldToObject(1) * normalX + i.worldToObject(5) * normalY + i.worldToObject(9) * normalZ;
+        double nz = i.worldToObject(2) * normalX + i.worldToObject(6) * normalY + i.worldToObject(10) * normalZ;
+        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        normalX = nx / length;
+        normalY = ny / length;
+        normalZ = nz / length;
+        double magnitude = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+        offset = offset / length + DOUBLE_EPSILON * magnitude;
+    }
+}

@@ -1,0 +1,31 @@
+package org.daybreak.core.accel;
+
+import java.util.Optional;
+
+/** Provides the binary BVH with scalar traversal; always available. */
+public final class ScalarProvider implements IntersectorProvider {
+    @Override
+    public String id() {
+        return "scalar";
+    }
+
+    @Override
+    public String description() {
+        return "binary BVH, scalar code, runs anywhere";
+    }
+
+    @Override
+    public int priority() {
+        return 0;
+    }
+
+    @Override
+    public Optional<String> unavailability() {
+        return Optional.empty();
+    }
+
+    @Override
+    public Intersector build(PrimitiveSet primitives, int threads) {
+        return ScalarIntersector.build(primitives, threads);
+    }
+}

@@ -1,0 +1,102 @@
+package org.daybreak.core.material;
+
+import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.geometry.SurfacePoint;
+
+/**
+ * A bidirectional scattering distribution function: the material of a surface. Immutable and thread-safe.
+ *
+ * <p>Directions are unit vectors in the local shading frame of the point, z along the shading normal; both point away
+ * from the surface. {@code wo} is where the walk came from, {@code wi} where it goes on. The caller deals with
+ * geometric normals ({@link Scattering}); implementations see shading frames only.
+ *
+ * <p>Contracts, all tested: {@code f > 0} implies {@code density > 0} in both directions; for non-delta lobes
+ * {@code sample} draws from exactly the density that {@code evaluate} and {@code density} report;
+ * f·cos/density equals the sampled weight; energy ≤ 1;
+ * symmetric in wo, wi but for refraction, where f(wo,wi)·η_o⁻² = f(wi,wo)·η_i⁻² in {@link TransportMode#RADIANCE}
+ * (Veach 1997, eq. 5.14).
+ */
+public interface Bsdf {
+    /**
+     * True if some lobe has a density per solid angle, so that vertices of this material can be connected to lights,
+     * the lens or other subpaths.
+     */
+    boolean connectable();
+
+    /**
+     * True if some lobe, other than passing straight through a mask, scatters light to the other side of the surface.
+     */
+    default boolean transmissive() {
+        return false;
+    }
+
+    /**
+     * Evaluates all non-delta lobes for a pair of directions.
+     *
+     * @param point the surface point, for textures
+     * @param mode what the walk that arrived along {@code wo} carries
+     * @param value receives {@code f(wo, wi)·|cos θ_i|} in 1/sr; zero where there is no scattering
+     * @return the density per solid angle with which {@link #sample} draws {@code wi} given {@code wo}; choice
+     *     probabilities of lobes included
+     */
+    double evaluate(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double wiX,
+            double wiY,
+            double wiZ,
+            TransportMode mode,
+            Spectrum value);
+
+    /**
+     * Density per solid angle with which {@link #sample} draws {@code wi} given {@code wo}, as {@link #evaluate} returns
+     * it. Called with the directions swapped it is the reverse density that bidirectional weights need.
+     */
+    double density(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double wiX,
+            double wiY,
+            double wiZ,
+            TransportMode mode);
+
+    /**
+     * Samples a direction to go on with.
+     *
+     * @param u first uniform number in [0,1), used with {@code v} for the direction
+     * @param v second uniform number in [0,1)
+     * @param w third uniform number in [0,1), chooses the lobe
+     * @param out receives direction, weight, density and kind; its content is undefined if the result is false
+     * @return false if the walk ends here (absorbed, or a direction below the surface was drawn)
+     */
+    boolean sample(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double u,
+            double v,
+            double w,
+            TransportMode mode,
+            BsdfSample out);
+
+    /**
+     * Fraction in [0,1] of light that passes straight through at this point as if there were no surface: 1 − opacity of
+     * an alpha mask, 0 for ordinary materials. Occlusion queries multiply with it.
+     */
+    default double transparency(SurfacePoint point) {
+        return 0;
+    }
+
+    /** True if {@link #transparency} can be greater than zero anywhere. */
+    default boolean maybeTransparent() {
+        return false;
+    }
+
+    /** Approximate directional-hemispherical reflectance plus transmittance for {@code wo} at the normal: the albedo image. */
+    void albedo(SurfacePoint point, Spectrum out);
+}

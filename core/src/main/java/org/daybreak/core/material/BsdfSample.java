@@ -1,0 +1,56 @@
+package org.daybreak.core.material;
+
+import org.daybreak.core.color.Spectrum;
+
+/** A sampled scattering direction. Mutable, owned by one worker; filled by {@link Bsdf#sample}. */
+public final class BsdfSample {
+    /** Sampled direction, unit length. Local shading frame as filled by a BSDF; world space after {@link Scattering#sample}. */
+    public double wiX;
+
+    public double wiY;
+    public double wiZ;
+
+    /**
+     * Throughput factor {@code f·|cos θ_i| / density}: what a path's throughput is multiplied with. Finite for delta
+     * lobes as well, where it is the lobe's reflectance or transmittance divided by its choice probability.
+     */
+    public final Spectrum weight = new Spectrum();
+
+    /**
+     * Density of the direction per solid angle, over all non-delta lobes together; for a delta lobe the discrete
+     * probability of choosing it.
+     */
+    public double density;
+
+    /** True if the direction comes from a delta lobe: it cannot be connected to and has no density per solid angle. */
+    public boolean delta;
+
+    /** True if the path goes straight on as if there were no surface (alpha masks). Implies {@link #delta}. */
+    public boolean passThrough;
+
+    /**
+     * Ratio η_i/η_t of the refractive indices of incident-side and transmitted-side medium for refraction (the
+     * medium {@code wo} is in over the medium {@code wi} is in), 1 otherwise. Russian roulette uses it to undo the
+     * scaling of radiance by refraction.
+     */
+    public double eta;
+
+    /** Destination of the warps of the square; what implementations leave here means nothing to the caller. */
+    final double[] direction = new double[3];
+
+    /** Marks the sample as drawn from a lobe with a density per solid angle that does not refract. */
+    void setContinuous(double density) {
+        this.density = density;
+        delta = false;
+        passThrough = false;
+        eta = 1;
+    }
+
+    /** Marks the sample as drawn from a delta lobe. */
+    void setDelta(double probability, double eta) {
+        this.density = probability;
+        delta = true;
+        passThrough = false;
+        this.eta = eta;
+    }
+}

@@ -1,0 +1,84 @@
+package org.daybreak.core.material;
+
+import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.geometry.SurfacePoint;
+
+/**
+ * A smooth interface between two transparent media: delta reflection and delta refraction. The normal points to the
+ * exterior. Two-sided by nature.
+ */
+public final class Dielectric extends DeltaBsdf {
+    private final double intIor;
+    private final double extIor;
+    private final Reflectance specularReflectance;
+    private final Reflectance specularTransmittance;
+
+    /**
+     * Creates an interface.
+     *
+     * @param intIor refractive index on the side away from the normal
+     * @param extIor refractive index on the normal's side
+     * @param specularReflectance factor on reflection, in [0,1]; 1 is physical
+     * @param specularTransmittance factor on refraction, in [0,1]; 1 is physical
+     * @throws IllegalArgumentException if an index is not positive and finite or a factor exceeds 1
+     */
+    public Dielectric(double intIor, double extIor, Texture specularReflectance, Texture specularTransmittance) {
+        this.intIor = Checks.requireIor("interior", intIor);
+        this.extIor = Checks.requireIor("exterior", extIor);
+        this.specularReflectance = new Reflectance("specular reflectance", specularReflectance);
+        this.specularTransmittance = new Reflectance("specular transmittance", specularTransmittance);
+    }
+
+    @Override
+    public boolean transmissive() {
+        return true;
+    }
+
+    @Override
+    public boolean sample(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double u,
+            double v,
+            double w,
+            TransportMode mode,
+            BsdfSample out) {
+        if (woZ == 0) {
+            return false;
+        }
+        boolean outside = woZ > 0;
+        double etaRatio = outside ? extIor / intIor : intIor / extIor;
+        double cosine = Math.min(1, Math.abs(woZ));
+        double refracted = Fresnel.refractedCosine(cosine, etaRatio);
+        double reflectance = refracted < 0 ? 1 : Fresnel.dielectric(cosine, refracted, 1 / etaRatio);
+        if (w < reflectance) {
+            out.wiX = -woX;
+            out.wiY = -woY;
+            out.wiZ = woZ;
+            out.setDelta(reflectance, 1);
+            specularReflectance.evaluate(point, out.weight);
+            return true;
+        }
+        out.wiX = -etaRatio * woX;
+        out.wiY = -etaRatio * woY;
+        out.wiZ = outside ? -refracted : refracted;
+        out.setDelta(1 - reflectance, etaRatio);
+        // Radiance per solid angle changes with the square of the index where rays converge; flux does not.
+        double scale = mode == TransportMode.RADIANCE ? etaRatio * etaRatio : 1;
+        specularTransmittance.evaluateScaled(point, scale, out.weight);
+        return true;
+    }
+
+    @Override
+    public void albedo(SurfacePoint point, Spectrum out) {
+        double reflectance = Fresnel.dielectric(1, intIor / extIor);
+        specularReflectance.evaluateScaled(point, reflectance, out);
+        double r = out.r;
+        double g = out.g;
+        double b = out.b;
+        specularTransmittance.evaluateScaled(point, 1 - reflectance, out);
+        out.set(out.r + r, out.g + g, out.b + b);
+    }
+}

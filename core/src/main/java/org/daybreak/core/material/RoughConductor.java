@@ -1,0 +1,119 @@
+package org.daybreak.core.material;
+
+import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.geometry.SurfacePoint;
+
+/**
+ * A rough metal: reflection off microfacets, f = F·D·G₁·G₁/(4 cos θ_o cos θ_i) (Walter et al. 2007, eq. 20). Light
+ * scattered more than once between facets is lost. One-sided: black from behind.
+ */
+public final class RoughConductor implements Bsdf {
+    private final Microfacet.Kind kind;
+    private final double alpha;
+    private final ConductorFresnel fresnel;
+    private final Reflectance specularReflectance;
+
+    /**
+     * Creates a rough metal.
+     *
+     * @param kind distribution of facets
+     * @param alpha roughness
+     * @param eta real part of the refractive index, relative to vacuum
+     * @param k imaginary part (absorption)
+     * @param specularReflectance factor on the lobe, in [0,1]; 1 is physical
+     * @throws IllegalArgumentException if the roughness is outside [{@link Microfacet#MIN_ALPHA}, {@link
+     *     Microfacet#MAX_ALPHA}], a part of the index is negative, not finite, or both are zero, or the reflectance
+     *     exceeds 1
+     */
+    public RoughConductor(Microfacet.Kind kind, double alpha, Spectrum eta, Spectrum k, Texture specularReflectance) {
+        this(kind, alpha, new ConductorFresnel(eta, k), specularReflectance);
+    }
+
+    private RoughConductor(Microfacet.Kind kind, double alpha, ConductorFresnel fresnel, Texture specularReflectance) {
+        this.kind = kind;
+        this.alpha = Microfacet.requireAlpha(alpha);
+        this.fresnel = fresnel;
+        this.specularReflectance = new Reflectance("specular reflectance", specularReflectance);
+    }
+
+    /**
+     * Creates a rough mirror: every facet reflects the same at every angle.
+     *
+     * @param specularReflectance reflectance of a facet, in [0,1]
+     * @throws IllegalArgumentException as the constructor
+     */
+    public static RoughConductor mirror(Microfacet.Kind kind, double alpha, Texture specularReflectance) {
+        return new RoughConductor(kind, alpha, new ConductorFresnel(null, null), specularReflectance);
+    }
+
+    @Override
+    public boolean connectable() {
+        return true;
+    }
+
+    @Override
+    public double evaluate(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double wiX,
+            double wiY,
+            double wiZ,
+            TransportMode mode,
+            Spectrum value) {
+        double density = density(point, woX, woY, woZ, wiX, wiY, wiZ, mode);
+        if (density == 0) {
+            value.setZero();
+            return 0;
+        }
+        double maskingIn = Microfacet.maskingOverCosine(kind, alpha, wiZ) * wiZ;
+        specularReflectance.evaluateScaled(point, density * maskingIn, value);
+        fresnel.multiply(Microfacet.halfAngleCosine(woX, woY, woZ, wiX, wiY, wiZ), value);
+        return density;
+    }
+
+    @Override
+    public double density(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double wiX,
+            double wiY,
+            double wiZ,
+            TransportMode mode) {
+        return Microfacet.reflectionDensity(kind, alpha, woX, woY, woZ, wiX, wiY, wiZ);
+    }
+
+    @Override
+    public boolean sample(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double u,
+            double v,
+            double w,
+            TransportMode mode,
+            BsdfSample out) {
+        if (!Microfacet.sampleReflection(kind, alpha, woX, woY, woZ, u, v, out)) {
+            return false;
+        }
+        double density = Microfacet.reflectionDensity(kind, alpha, woX, woY, woZ, out.wiX, out.wiY, out.wiZ);
+        if (density == 0) {
+            return false;
+        }
+        out.setContinuous(density);
+        double maskingIn = Microfacet.maskingOverCosine(kind, alpha, out.wiZ) * out.wiZ;
+        specularReflectance.evaluateScaled(point, maskingIn, out.weight);
+        fresnel.multiply(Microfacet.halfAngleCosine(woX, woY, woZ, out.wiX, out.wiY, out.wiZ), out.weight);
+        return true;
+    }
+
+    @Override
+    public void albedo(SurfacePoint point, Spectrum out) {
+        specularReflectance.evaluate(point, out);
+        fresnel.multiply(1, out);
+    }
+}

@@ -1,0 +1,26 @@
+package org.daybreak.exr;
+
+import java.io.IOException;
+
+/** The codec of {@link Compression#NONE}: no chunk ever shrinks, so all are stored raw. */
+final class RawCodec implements ChunkCodec {
+    @Override
+    public int pack(byte[] raw, int rawLength, byte[] packed, int offset) {
+        return NOT_SMALLER;
+    }
+
+    @Override
+    public void unpack(byte[] packed, int offset, int packedLength, byte[] raw, int rawLength) throws IOException {
+        throw new IOException("a chunk holds " + packedLength + " bytes instead of " + rawLength);
+    }
+
+    @Override
+    public long maxRawLength(long packedLength) {
+        return packedLength;
+    }
+
+    @Override
+    public void close() {
+        // Holds no resources.
+    }
+}
