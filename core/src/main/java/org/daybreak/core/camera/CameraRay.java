@@ -28,4 +28,7 @@ public final class CameraRay {
      * film; 1 where the direction is a single one.
      */
     public double densityDirection;
+
+    /** Room for intermediate results of the cameras, so that they need not allocate. */
+    final double[] scratch = new double[3];
 }

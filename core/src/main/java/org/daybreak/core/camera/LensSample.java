@@ -33,4 +33,7 @@ public final class LensSample {
 
     /** True if the lens is a single point: no scattered ray can hit it. */
     public boolean delta;
+
+    /** Room for intermediate results of the cameras, so that they need not allocate. */
+    final double[] scratch = new double[3];
 }

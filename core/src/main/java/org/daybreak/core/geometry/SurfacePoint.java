@@ -53,6 +53,9 @@ public final class SurfacePoint {
     /** Index of the instance the point belongs to, or -1 for geometry that is not instanced. */
     public int instance;
 
+    /** Room for intermediate results of the code that fills this point, so that it need not allocate. No state. */
+    final double[] scratch = new double[5];
+
     /** Copies all values of another point. */
     public void set(SurfacePoint o) {
         x = o.x;

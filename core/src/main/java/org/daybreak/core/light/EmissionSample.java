@@ -28,4 +28,7 @@ public final class EmissionSample {
 
     /** The direction is a single one. */
     public boolean deltaDirection;
+
+    /** Room for intermediate results of the lights, so that they need not allocate. */
+    final double[] scratch = new double[3];
 }

@@ -31,4 +31,7 @@ public final class LightSample {
      * light's travel direction); for point lights only the position is.
      */
     public final SurfacePoint point = new SurfacePoint();
+
+    /** Room for intermediate results of the lights, so that they need not allocate. */
+    final double[] scratch = new double[3];
 }

@@ -3,8 +3,10 @@ package org.daybreak.core.light;
 /**
  * An equirectangular image of radiance. Immutable: the array is taken over.
  *
- * <p>Row 0 is the zenith (+y), the last row the nadir. Column position u in [0,1] maps to the direction
- * (sin(2πu)·sin θ, cos θ, −cos(2πu)·sin θ) with θ = π·v, the convention of Mitsuba's {@code envmap}.
+ * <p>The convention is that of Mitsuba's {@code envmap}, which is not the same across and down. Down, the first row lies
+ * on the zenith (+y) and the last on the nadir: row r stands for the polar angle θ = π·r/(height − 1). Across, pixels
+ * have their centres within: column c stands for u = (c + ½)/width. The direction is
+ * (sin(2πu)·sin θ, cos θ, −cos(2πu)·sin θ). Between pixels the radiance is bilinear, wrapped around across.
  */
 public final class RadianceMap {
     private final int width;

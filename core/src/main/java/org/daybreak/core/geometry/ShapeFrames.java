@@ -1,0 +1,48 @@
+package org.daybreak.core.geometry;
+
+import javax.vecmath.Point3d;
+import javax.vecmath.Vector3d;
+import org.daybreak.core.math.Frame;
+import org.daybreak.core.math.Transform;
+
+/**
+ * The maps that carry canonical quadrics to the places their shapes describe. Intersection and sampling both use them, so
+ * that a texture lies the same for both.
+ */
+public final class ShapeFrames {
+    private ShapeFrames() {}
+
+    /** The map from the unit sphere at the origin to a sphere. */
+    public static Transform of(Sphere sphere) {
+        Point3d centre = sphere.centre();
+        double r = sphere.radius();
+        return Transform.ofRows(r, 0, 0, centre.x, 0, r, 0, centre.y, 0, 0, r, centre.z);
+    }
+
+    /**
+     * The map from the canonical cylinder x² + y² = 1, 0 ≤ z ≤ 1 to a cylinder. The direction φ = 0 is the first tangent of
+     * {@link Frame#set(double, double, double)} for the axis, as in Mitsuba.
+     */
+    public static Transform of(Cylinder cylinder) {
+        Point3d from = cylinder.from();
+        Vector3d axis = new Vector3d(cylinder.to());
+        axis.sub(from);
+        double length = axis.length();
+        double r = cylinder.radius();
+        Frame frame = new Frame();
+        frame.set(axis.x / length, axis.y / length, axis.z / length);
+        return Transform.ofRows(
+                r * frame.sx,
+                r * frame.tx,
+                axis.x,
+                from.x,
+                r * frame.sy,
+                r * frame.ty,
+                axis.y,
+                from.y,
+                r * frame.sz,
+                r * frame.tz,
+                axis.z,
+                from.z);
+    }
+}

@@ -1,0 +1,36 @@
+package org.daybreak.core.geometry;
+
+import org.daybreak.core.math.Transform;
+
+/** Makes the sampler for a shape. */
+public final class SurfaceSamplers {
+    private SurfaceSamplers() {}
+
+    /**
+     * The sampler of a shape in its place. A mirroring transform keeps the outer side outer.
+     *
+     * @param toWorld map from the shape's to world coordinates
+     * @param flipNormals whether front and back are exchanged
+     */
+    public static SurfaceSampler of(Shape shape, Transform toWorld, boolean flipNormals) {
+        if (shape instanceof TriangleMesh mesh) {
+            return new MeshSampler(mesh, toWorld, flipNormals);
+        }
+        if (shape instanceof Sphere sphere) {
+            return new SphereSampler(toWorld.multiply(ShapeFrames.of(sphere)), flipNormals);
+        }
+        if (shape instanceof Rectangle) {
+            return new ParallelogramSampler(toWorld, flipNormals);
+        }
+        if (shape instanceof Disk) {
+            return new DiskSampler(toWorld, flipNormals);
+        }
+        if (shape instanceof Cube) {
+            return new MeshSampler(CubeMesh.MESH, toWorld, flipNormals);
+        }
+        if (shape instanceof Cylinder cylinder) {
+            return new CylinderSampler(toWorld.multiply(ShapeFrames.of(cylinder)), flipNormals);
+        }
+        throw new AssertionError("no sampler for " + shape.getClass());
+    }
+}

@@ -1,0 +1,92 @@
+package org.daybreak.core.light;
+
+import java.util.List;
+
+/**
+ * Chooses lights by the irradiance they would cause at the point without occlusion. For few lights: each choice looks at all of
+ * them.
+ *
+ * <p>A small part of the choices is uniform among the lights that can contribute at all, so that an estimate that is too low
+ * costs a bounded amount of variance.
+ */
+public final class ImportanceLightSelection implements LightSelection {
+    /** Part of the choices that does not follow the estimates. */
+    private static final double UNIFORM_SHARE = 0.05;
+
+    /** Bound of single estimates, so that sums stay finite next to a point light. */
+    private static final double LARGEST = 1e200;
+
+    private final Light[] lights;
+    private final PowerLightSelection forEmission;
+
+    /** Creates the selection among these lights. */
+    public ImportanceLightSelection(List<? extends Light> lights) {
+        this.lights = lights.toArray(new Light[0]);
+        forEmission = new PowerLightSelection(lights);
+    }
+
+    @Override
+    public int choose(double px, double py, double pz, double nx, double ny, double nz, double u) {
+        if (lights.length == 1) {
+            return importance(0, px, py, pz, nx, ny, nz) > 0 ? 0 : -1;
+        }
+        double total = 0;
+        int candidates = 0;
+        for (int i = 0; i < lights.length; i++) {
+            double importance = importance(i, px, py, pz, nx, ny, nz);
+            if (importance > 0) {
+                total += importance;
+                candidates++;
+            }
+        }
+        double left = u;
+        int last = -1;
+        for (int i = 0; candidates > 0 && i < lights.length; i++) {
+            double importance = importance(i, px, py, pz, nx, ny, nz);
+            if (importance > 0) {
+                last = i;
+                left -= mix(importance, total, candidates);
+                if (left < 0) {
+                    break;
+                }
+            }
+        }
+        return last;
+    }
+
+    @Override
+    public double probability(int light, double px, double py, double pz, double nx, double ny, double nz) {
+        double own = importance(light, px, py, pz, nx, ny, nz);
+        if (!(own > 0)) {
+            return 0;
+        }
+        double total = 0;
+        int candidates = 0;
+        for (int i = 0; i < lights.length; i++) {
+            double importance = i == light ? own : importance(i, px, py, pz, nx, ny, nz);
+            if (importance > 0) {
+                total += importance;
+                candidates++;
+            }
+        }
+        return mix(own, total, candidates);
+    }
+
+    @Override
+    public int chooseForEmission(double u) {
+        return forEmission.chooseForEmission(u);
+    }
+
+    @Override
+    public double emissionProbability(int light) {
+        return forEmission.emissionProbability(light);
+    }
+
+    private static double mix(double importance, double total, int candidates) {
+        return (1 - UNIFORM_SHARE) * (importance / total) + UNIFORM_SHARE / candidates;
+    }
+
+    private double importance(int light, double px, double py, double pz, double nx, double ny, double nz) {
+        return Math.min(LARGEST, lights[light].importance(px, py, pz, nx, ny, nz));
+    }
+}
