@@ -42,7 +42,7 @@ final class LensConnection {
     /**
      * Joins a scattering vertex to the lens (s ≥ 2).
      *
-     * @param wo direction back along the light subpath
+     * @param woX direction back along the light subpath
      * @param r throughput of the subpath up to the vertex, divided by all densities
      * @param u first number for the point on the lens
      * @return false if the contribution was not finite
