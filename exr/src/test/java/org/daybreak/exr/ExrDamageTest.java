@@ -257,7 +257,6 @@ class ExrDamageTest {
         };
         int refused = 0;
         int mutations = 4000;
-        Path file = directory.resolve("mutated.exr");
         for (int i = 0; i < mutations; i++) {
             byte[] bytes = TestPatterns.fixture(names[i % names.length]);
             // Mostly the header and table, where a flip changes sizes and counts.
@@ -275,7 +274,7 @@ class ExrDamageTest {
             if (random.nextInt(8) == 0) {
                 bytes = Arrays.copyOf(bytes, random.nextInt(bytes.length));
             }
-            Files.write(file, bytes);
+            Path file = TestPatterns.put(directory, "mutated.exr", bytes);
             try {
                 ExrReader.read(file, 1);
             } catch (ImageFileException e) {
