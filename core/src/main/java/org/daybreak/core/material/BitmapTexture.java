@@ -154,31 +154,20 @@ public final class BitmapTexture implements Texture {
         if (!Double.isFinite(u)) {
             return 0;
         }
-        switch (wrap) {
-            case REPEAT:
-                return (u - Math.floor(u)) * size;
-            case MIRROR:
-                return (u - 2 * Math.floor(0.5 * u)) * size;
-            case CLAMP:
-            default:
-                return Math.min(Math.max(u, -1), 2) * size;
-        }
+        return switch (wrap) {
+            case REPEAT -> (u - Math.floor(u)) * size;
+            case MIRROR -> (u - 2 * Math.floor(0.5 * u)) * size;
+            case CLAMP -> Math.min(Math.max(u, -1), 2) * size;
+        };
     }
 
     /** Column or row of the image for one within a pixel of the first period. */
     private int wrapped(double cell, int size) {
         int i = (int) cell;
-        switch (wrap) {
-            case REPEAT:
-                return i < 0 ? i + size : i >= size ? i - size : i;
-            case MIRROR:
-                if (i < 0 || i >= 2 * size) {
-                    return 0;
-                }
-                return i < size ? i : 2 * size - 1 - i;
-            case CLAMP:
-            default:
-                return Math.min(Math.max(i, 0), size - 1);
-        }
+        return switch (wrap) {
+            case REPEAT -> i < 0 ? i + size : (i >= size ? i - size : i);
+            case MIRROR -> i < 0 || i >= 2 * size ? 0 : (i < size ? i : 2 * size - 1 - i);
+            case CLAMP -> Math.min(Math.max(i, 0), size - 1);
+        };
     }
 }

@@ -186,9 +186,13 @@ public final class Microfacet {
     /**
      * Inverts the distribution function of slopes X with density ∝ (cos θ − X sin θ)·exp(−X²) where that is positive.
      * Newton's method starts at the mode, the inflection point of the distribution function, from where it converges
-     * monotonically to both sides.
+     * monotonically to both sides. With sin θ = 0 this is the Gaussian across the plane of incidence.
+     *
+     * @param cos cosine of the stretched direction, not negative; not both zero
+     * @param sin its sine, not negative
+     * @return slope −m_x/m_z of the stretched facet
      */
-    private static double visibleSlope(double cos, double sin, double u) {
+    static double visibleSlope(double cos, double sin, double u) {
         double limit = cos / sin;
         double limitGaussian = Math.exp(-limit * limit);
         double total =
@@ -212,7 +216,8 @@ public final class Microfacet {
         return slope;
     }
 
-    private static void setNormal(double x, double y, double z, BsdfSample out) {
+    /** Writes a normal of any length to {@code out}, as a unit vector. */
+    static void setNormal(double x, double y, double z, BsdfSample out) {
         double scale = 1 / Math.sqrt(x * x + y * y + z * z);
         out.wiX = x * scale;
         out.wiY = y * scale;

@@ -8,7 +8,10 @@ final class RoughTransmittance {
     /** Intervals in √cos θ, which spends them where the table bends: at grazing angles. */
     private static final int INTERVALS = 96;
 
-    private static final int NODES = 24;
+    /** Total internal reflection off some of the facets makes the integrand discontinuous: that takes more nodes. */
+    private static final int NODES_INTO_THINNER = 80;
+
+    private static final int NODES_INTO_DENSER = 24;
 
     private final double[] table;
     private final double hemispherical;
@@ -19,7 +22,7 @@ final class RoughTransmittance {
      * @param eta refractive index of the transmitted side over that of the incident side
      */
     RoughTransmittance(Microfacet.Kind kind, double alpha, double eta) {
-        double[] nodes = GaussLegendre.nodes(NODES);
+        double[] nodes = GaussLegendre.nodes(eta < 1 ? NODES_INTO_THINNER : NODES_INTO_DENSER);
         double[] weights = GaussLegendre.weights(nodes);
         table = new double[INTERVALS + 1];
         for (int i = 0; i <= INTERVALS; i++) {
@@ -43,25 +46,42 @@ final class RoughTransmittance {
     }
 
     /**
-     * Integral over visible normals of (1 − F)·G₁ of the refracted direction.
+     * Integral over visible normals of (1 − F)·G₁ of the refracted direction. The facets are mirrored at the plane of
+     * incidence; of the uniform number that carries the symmetry only one half is integrated.
      *
      * @param nodes Gauss–Legendre rule used in both dimensions
      */
     static double directional(
             Microfacet.Kind kind, double alpha, double eta, double cosine, double[] nodes, double[] weights) {
+        int n = nodes.length;
         double sine = Math.sqrt((1 - cosine) * (1 + cosine));
+        double length = Math.hypot(alpha * sine, cosine);
+        boolean gaussian = kind == Microfacet.Kind.BECKMANN;
+        double[] mapped = new double[n];
+        double[] mappedWeights = new double[n];
+        double[] along = new double[n];
+        double[] across = new double[n];
+        for (int i = 0; i < n; i++) {
+            // Takes the root singularities at the ends of the unit interval away.
+            mapped[i] = 0.5 * (1 - Math.cos(Math.PI * nodes[i]));
+            mappedWeights[i] = weights[i] * 0.5 * Math.PI * Math.sin(Math.PI * nodes[i]);
+            // Slopes of Gaussian facets are products: solved for once per node, not once per pair.
+            along[i] =
+                    gaussian ? -alpha * Microfacet.visibleSlope(cosine / length, alpha * sine / length, mapped[i]) : 0;
+            across[i] = gaussian ? -alpha * Microfacet.visibleSlope(1, 0, 0.5 * mapped[i]) : 0;
+        }
         BsdfSample normal = new BsdfSample();
         double sum = 0;
-        for (int i = 0; i < nodes.length; i++) {
-            double u = smoothed(nodes[i]);
-            for (int j = 0; j < nodes.length; j++) {
-                double v = smoothed(nodes[j]);
-                Microfacet.sampleVisibleNormal(kind, alpha, sine, 0, cosine, u, v, normal);
+        for (int i = 0; i < n; i++) {
+            for (int j = 0; j < n; j++) {
+                if (gaussian) {
+                    Microfacet.setNormal(along[i], across[j], 1, normal);
+                } else {
+                    Microfacet.sampleVisibleNormal(kind, alpha, sine, 0, cosine, 0.5 * mapped[j], mapped[i], normal);
+                }
                 double facetCosine = Math.min(1, sine * normal.wiX + cosine * normal.wiZ);
-                sum += weights[i]
-                        * weights[j]
-                        * smoothedDerivative(nodes[i])
-                        * smoothedDerivative(nodes[j])
+                sum += mappedWeights[i]
+                        * mappedWeights[j]
                         * transmitted(kind, alpha, eta, cosine, facetCosine, normal.wiZ);
             }
         }
@@ -83,15 +103,6 @@ final class RoughTransmittance {
         return (1 - Fresnel.dielectric(facetCosine, refracted, eta))
                 * below
                 * Microfacet.maskingOverCosine(kind, alpha, below);
-    }
-
-    /** Sample mapping that takes the root singularities at the ends of the unit square away. */
-    private static double smoothed(double x) {
-        return 0.5 * (1 - Math.cos(Math.PI * x));
-    }
-
-    private static double smoothedDerivative(double x) {
-        return 0.5 * Math.PI * Math.sin(Math.PI * x);
     }
 
     /** With s = √c the table is linear in s on each interval and 2 c dc = 4 s³ ds. */

@@ -174,8 +174,8 @@ public final class Transform {
     }
 
     /**
-     * Camera-to-world map in the convention of Mitsuba: the camera sits at {@code origin} and looks along its +z axis
-     * at {@code target}; its +x axis points to the left of the picture, its +y axis up.
+     * Camera-to-world map in the convention of Mitsuba: the camera sits at the origin given and looks along its +z
+     * axis at the target; its +x axis points to the left of the picture, its +y axis up.
      *
      * @throws IllegalArgumentException if origin and target coincide, {@code up} is zero or parallel to the view
      *     direction, or anything is not finite

@@ -139,8 +139,8 @@ class TransformTest {
         assertMessage("view direction", () -> Transform.lookAt(1, 1, 1, 1, 1, 1, 0, 1, 0));
         assertMessage("parallel", () -> Transform.lookAt(0, 0, 0, 1, 2, 3, 2, 4, 6));
         assertMessage("parallel", () -> Transform.lookAt(0, 0, 0, 1, 2, 3, 0, 0, 0));
-        assertMessage("infinite", () -> Transform.scale(1e200, 1e200, 1e200)
-                .multiply(Transform.scale(1e200, 1e200, 1e200)));
+        assertMessage(
+                "infinite", () -> Transform.scale(1e200, 1e200, 1e200).multiply(Transform.scale(1e200, 1e200, 1e200)));
     }
 
     @ParameterizedTest

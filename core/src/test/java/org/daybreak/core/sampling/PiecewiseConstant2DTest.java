@@ -74,8 +74,8 @@ class PiecewiseConstant2DTest {
     @Test
     void cornersOfTheSquareStayInsideAndHaveDensity() {
         double[] ends = {0, Math.nextDown(1.0)};
-        PiecewiseConstant2D distribution = new PiecewiseConstant2D(
-                3, 7, (column, row) -> column == 1 && row == 3 ? 2 : 0);
+        PiecewiseConstant2D distribution =
+                new PiecewiseConstant2D(3, 7, (column, row) -> column == 1 && row == 3 ? 2 : 0);
         double[] p = new double[2];
         for (double u : ends) {
             for (double v : ends) {

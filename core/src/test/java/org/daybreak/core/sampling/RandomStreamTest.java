@@ -160,8 +160,8 @@ class RandomStreamTest {
             double a = stream.nextDouble();
             neighbours.seat(stream, i, 1);
             double b = stream.nextDouble();
-            leading[(int) (a * 64) * 64 + (int) (b * 64)]++;
-            trailing[((int) (long) (a * 0x1p53) & 63) * 64 + ((int) (long) (b * 0x1p53) & 63)]++;
+            leading[cell((int) (a * 64), (int) (b * 64))]++;
+            trailing[cell((int) (long) (a * 0x1p53), (int) (long) (b * 0x1p53))]++;
             product.add((a - 0.5) * (b - 0.5) * 12);
         }
         double[] expected = new double[4096];
@@ -171,7 +171,8 @@ class RandomStreamTest {
             ChiSquareTest.compare("trailing bits", trailing, expected).pValue(),
             ZTest.known(product.mean(), 1 / Math.sqrt(n), 0)
         };
-        ZTest.assertNoneRejected(neighbours + ": grids of leading and trailing bits, correlation", pValues, SIGNIFICANCE);
+        ZTest.assertNoneRejected(
+                neighbours + ": grids of leading and trailing bits, correlation", pValues, SIGNIFICANCE);
     }
 
     @Test
@@ -239,6 +240,11 @@ class RandomStreamTest {
         assertTrue(stream.nextInt(3) < 3);
         assertEquals(2, stream.position());
         assertThrows(IllegalArgumentException.class, () -> stream.nextInt(0));
+    }
+
+    /** The cell of a 64 × 64 grid from the trailing bits of two numbers. */
+    private static int cell(int a, int b) {
+        return (a & 63) << 6 | (b & 63);
     }
 
     private static void assertSequence(RandomStream stream, long... expected) {

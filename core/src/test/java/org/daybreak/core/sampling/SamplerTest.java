@@ -107,12 +107,16 @@ class SamplerTest {
         for (int pixel = 0; pixel < n; pixel++) {
             sampler.start(pixel, 3);
             sampler.setDimension(5);
-            counts[(int) (sampler.next() * 64) * 64 + (int) (sampler.next() * 64)]++;
+            int row = (int) (sampler.next() * 64);
+            int column = (int) (sampler.next() * 64);
+            counts[64 * row + column]++;
         }
         double[] expected = new double[counts.length];
         Arrays.fill(expected, n / 4096.0);
         ZTest.assertNotRejected(
-                "uniform pairs", ChiSquareTest.compare("pairs", counts, expected).pValue(), SIGNIFICANCE);
+                "uniform pairs",
+                ChiSquareTest.compare("pairs", counts, expected).pValue(),
+                SIGNIFICANCE);
     }
 
     @ParameterizedTest

@@ -153,9 +153,11 @@ class SphericalRectangleTest {
         double height = 3 - from[2];
         double sum = 0;
         for (int i = 0; i < 3 * n; i++) {
-            double x = -1 + 2 * (i / 3 + nodes[i % 3]) / n - from[0];
+            int column = i / 3;
+            double x = -1 + 2 * (column + nodes[i % 3]) / n - from[0];
             for (int j = 0; j < 3 * n; j++) {
-                double y = -2 + 4 * (j / 3 + nodes[j % 3]) / n - from[1];
+                int row = j / 3;
+                double y = -2 + 4 * (row + nodes[j % 3]) / n - from[1];
                 double squared = x * x + y * y + height * height;
                 sum += weights[i % 3] * weights[j % 3] * Math.abs(height) / (squared * Math.sqrt(squared));
             }

@@ -73,8 +73,7 @@ class WarpsTest {
 
     @Test
     void cosineHemisphere() {
-        assertAgrees(
-                "cosine hemisphere", 1, Warps::toCosineHemisphere, (x, y, z) -> Warps.toCosineHemispherePdf(z));
+        assertAgrees("cosine hemisphere", 1, Warps::toCosineHemisphere, (x, y, z) -> Warps.toCosineHemispherePdf(z));
     }
 
     @Test
@@ -84,8 +83,7 @@ class WarpsTest {
 
     @Test
     void uniformHemisphere() {
-        assertAgrees(
-                "uniform hemisphere", 3, Warps::toUniformHemisphere, (x, y, z) -> Warps.toUniformHemispherePdf(z));
+        assertAgrees("uniform hemisphere", 3, Warps::toUniformHemisphere, (x, y, z) -> Warps.toUniformHemispherePdf(z));
     }
 
     @ParameterizedTest

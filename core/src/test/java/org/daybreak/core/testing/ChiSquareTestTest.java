@@ -31,7 +31,9 @@ class ChiSquareTestTest {
         Arrays.fill(expected, 40);
         // False-alarm rate 1e-4.
         ZTest.assertNotRejected(
-                "uniformity", ChiSquareTest.compare("p-values", counts, expected).pValue(), 1e-4);
+                "uniformity",
+                ChiSquareTest.compare("p-values", counts, expected).pValue(),
+                1e-4);
     }
 
     @Test
@@ -48,7 +50,8 @@ class ChiSquareTestTest {
     @Test
     void wrongMassIsFound() {
         assertReported("integrates to", cosine((x, y, z) -> 1.01 * Warps.toCosineHemispherePdf(z)));
-        assertTrue(cosine((x, y, z) -> 0.98 * Warps.toCosineHemispherePdf(z)).run().pValue() < 1e-6);
+        assertTrue(
+                cosine((x, y, z) -> 0.98 * Warps.toCosineHemispherePdf(z)).run().pValue() < 1e-6);
         assertReported("integrates to", cosine((x, y, z) -> z));
         assertReported("integrates to", cosine((x, y, z) -> x < -0.9 ? -1 : 0.1));
         assertReported("integrates to", cosine((x, y, z) -> x < -0.9 ? Double.NaN : 0.1));

@@ -1,0 +1,36 @@
+package org.daybreak.tracing;
+
+/**
+ * Which dimension of a sampler each decision of an eye path reads. Fixed addresses keep a decision in the same dimension
+ * for all samples of a pixel, which is what makes low-discrepancy points work.
+ *
+ * <p>Groups of four aligned dimensions are stratified together, so a group holds what belongs to one integral: group 0 the
+ * position in the pixel and the light point for the first vertex (direct light is a function of just these), group k the
+ * direction scattered at vertex k and the light point for the vertex it leads to. Discrete choices, which need less, have
+ * groups of their own.
+ */
+final class Dimensions {
+    /** The light point for the first vertex, after the position in the pixel. */
+    static final int FIRST_DIRECT = 2;
+
+    private static final int GROUP = 4;
+    private static final int CHOICES = 1 << 24;
+    private static final int FURTHER_LIGHTS = 1 << 28;
+
+    private Dimensions() {}
+
+    /** The first of: two for the direction scattered at a vertex, two for the light point of the vertex after it. */
+    static int scattering(int vertex) {
+        return GROUP * vertex;
+    }
+
+    /** The first of: lobe, light, Russian roulette. For vertex 0, the lens: two for the point on it. */
+    static int choices(int vertex) {
+        return CHOICES + GROUP * vertex;
+    }
+
+    /** The first of two for a light point when a vertex has several. */
+    static int lightPoint(int vertex, int light, int lights) {
+        return FURTHER_LIGHTS + (GROUP * (vertex * lights + light) & (FURTHER_LIGHTS - 1));
+    }
+}

@@ -1,0 +1,162 @@
+package org.daybreak.tracing;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicLong;
+import org.daybreak.core.camera.Camera;
+import org.daybreak.core.film.Film;
+import org.daybreak.core.film.FilmLayer;
+import org.daybreak.core.film.SplatBuffer;
+import org.daybreak.core.render.NonFiniteLog;
+import org.daybreak.core.render.OrderedWork;
+import org.daybreak.core.render.ProgressReporter;
+import org.daybreak.core.render.RenderClock;
+import org.daybreak.core.render.RenderContext;
+import org.daybreak.core.render.RenderReport;
+import org.daybreak.core.render.Renderer;
+import org.daybreak.core.scene.Scene;
+
+/**
+ * Renders by light tracing alone. The budget's samples per pixel are light subpaths per pixel of the whole film, so that a crop
+ * is a part of the whole image, bit for bit. The antialiasing method plays no part.
+ *
+ * <p>What it cannot show: surfaces that scatter in ideal directions only, and what is seen through or in them, as their
+ * points cannot be joined to the lens. Auxiliary images other than the variance stay empty.
+ */
+public final class LightTracerRenderer implements Renderer {
+    private static final int PATHS_PER_UNIT = 2048;
+    private static final int PATHS_BETWEEN_CHECKS = 16;
+
+    private final LightTracerSettings settings;
+
+    /** Creates a renderer. */
+    public LightTracerRenderer(LightTracerSettings settings) {
+        this.settings = settings;
+    }
+
+    @Override
+    public RenderReport render(Scene scene, Camera camera, Film film, RenderContext context) {
+        Reports.checkFilm(camera, film);
+        Work work = new Work(scene, camera, film, context);
+        work.run(context.threads());
+        return work.report();
+    }
+
+    /** Consecutive light subpaths: which, and what came out. */
+    private static final class Unit {
+        final SplatBuffer splats = new SplatBuffer();
+        final NonFiniteLog nonFinite = new NonFiniteLog();
+        long first;
+        int count;
+        int traced;
+    }
+
+    /** One render. */
+    private final class Work extends OrderedWork<Unit> {
+        private final Scene scene;
+        private final Camera camera;
+        private final Film film;
+        private final RenderContext context;
+        private final RenderClock clock;
+        private final ProgressReporter progress;
+        private final long pixels;
+        private final long paths;
+        private final List<LightTracer> created = new ArrayList<>();
+        private final NonFiniteLog nonFinite = new NonFiniteLog();
+        private double preparedAt;
+        private final AtomicLong traced = new AtomicLong();
+
+        Work(Scene scene, Camera camera, Film film, RenderContext context) {
+            this.scene = scene;
+            this.camera = camera;
+            this.film = film;
+            this.context = context;
+            clock = new RenderClock(context);
+            pixels = (long) film.settings().width() * film.settings().height();
+            paths = Math.multiplyExact(pixels, context.budget().samplesPerPixel());
+            progress = new ProgressReporter(context, clock, film, paths);
+        }
+
+        @Override
+        protected Unit newSlot() {
+            return new Unit();
+        }
+
+        @Override
+        protected Worker<Unit> newWorker() {
+            LightTracer tracer = new LightTracer(scene, camera, context.seed(), settings);
+            created.add(tracer);
+            preparedAt = clock.seconds();
+            return (number, unit) -> compute(tracer, unit);
+        }
+
+        @Override
+        protected boolean claim(long number, Unit unit) {
+            unit.first = number * PATHS_PER_UNIT;
+            if (unit.first >= paths || clock.shouldStop()) {
+                return false;
+            }
+            unit.count = (int) Math.min(PATHS_PER_UNIT, paths - unit.first);
+            return true;
+        }
+
+        private void compute(LightTracer tracer, Unit unit) {
+            unit.splats.clear();
+            unit.nonFinite.clear();
+            unit.traced = 0;
+            while (unit.traced < unit.count) {
+                if (unit.traced % PATHS_BETWEEN_CHECKS == 0 && clock.shouldStop()) {
+                    return;
+                }
+                long path = unit.first + unit.traced;
+                if (!tracer.trace(path, unit.splats)) {
+                    unit.nonFinite.addLightPath(context.seed(), path);
+                }
+                unit.traced++;
+            }
+        }
+
+        @Override
+        protected void commit(long number, Unit unit) {
+            film.commit(unit.splats, unit.traced);
+            nonFinite.addAll(unit.nonFinite);
+            traced.addAndGet(unit.traced);
+        }
+
+        @Override
+        protected void watch() {
+            progress.update(traced.get(), traced.get() / pixels);
+        }
+
+        RenderReport report() {
+            long total = traced.get();
+            progress.finish(total, total / pixels);
+            return new RenderReport(
+                    "light",
+                    total < paths && Reports.cancelled(context),
+                    total,
+                    total / pixels,
+                    Reports.phases(preparedAt, clock.seconds()),
+                    Reports.raysByKind(created, LightTracer::rays),
+                    nonFinite.count(),
+                    nonFinite.addresses(),
+                    Map.of("relativeError", progress.relativeError()),
+                    warnings());
+        }
+
+        private List<String> warnings() {
+            List<String> warnings = new ArrayList<>();
+            if (film.layers().stream().anyMatch(layer -> layer != FilmLayer.VARIANCE)) {
+                warnings.add("light tracing takes no image samples: the albedo, normal and depth images stay empty");
+            }
+            for (int i = 0; i < scene.shapeCount(); i++) {
+                if (!scene.bsdf(i).connectable()) {
+                    warnings.add("light tracing cannot show ideal mirrors and glass: they stay black");
+                    break;
+                }
+            }
+            return warnings;
+        }
+    }
+}
