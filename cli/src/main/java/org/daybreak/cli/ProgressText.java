@@ -24,7 +24,7 @@ final class ProgressText {
                         ? duration(progress.secondsLeft()) + " left"
                         : duration(progress.secondsElapsed()) + " so far");
         if (Double.isFinite(progress.relativeError())) {
-            text.append(String.format(Locale.ROOT, "  error %.2g %%", 100 * progress.relativeError()));
+            text.append(String.format(Locale.ROOT, "  error %.2f %%", 100 * progress.relativeError()));
         }
         return text.toString();
     }
@@ -40,7 +40,7 @@ final class ProgressText {
                 "%s in %s: %s samples (%d per pixel), %s samples/s, %s rays/s",
                 report.cancelled() ? "interrupted" : "rendered",
                 duration(seconds),
-                quantity(report.samples()),
+                quantity((double) report.samples()),
                 report.samplesPerPixel(),
                 quantity(report.samples() / seconds),
                 quantity(rays / seconds)));
