@@ -15,7 +15,8 @@ public final class SurfaceCase {
 
     private static final Transform STRETCH = TURN.multiply(Transform.scale(1.5, 0.6, 0.8));
     private static final Transform MIRROR = TURN.multiply(Transform.scale(1.2, -0.7, 1));
-    private static final Transform SHEAR = Transform.ofRows(1.1, 0.5, 0.2, 0.1, -0.3, 0.8, 0.4, 0.2, 0.1, -0.2, 0.6, -0.4);
+    private static final Transform SHEAR =
+            Transform.ofRows(1.1, 0.5, 0.2, 0.1, -0.3, 0.8, 0.4, 0.2, 0.1, -0.2, 0.6, -0.4);
     private static final Transform MIRROR_SHEAR = SHEAR.multiply(Transform.scale(1, 1, -1));
 
     private final String name;
@@ -96,9 +97,7 @@ public final class SurfaceCase {
             double t = -o[2] / d[2];
             double x = o[0] + t * d[0];
             double y = o[1] + t * d[1];
-            boolean inside = shape instanceof Disk
-                    ? x * x + y * y <= 1
-                    : Math.abs(x) <= 1 && Math.abs(y) <= 1;
+            boolean inside = shape instanceof Disk ? x * x + y * y <= 1 : Math.abs(x) <= 1 && Math.abs(y) <= 1;
             return inside && accept(t, 0, 0, 1, px, py, pz, dx, dy, dz, out);
         }
         double height = shape instanceof Sphere ? 1 : 0;
@@ -113,9 +112,7 @@ public final class SurfaceCase {
             double t = (-b + sign * Math.sqrt(discriminant)) / a;
             double z = o[2] + t * d[2];
             boolean inside = shape instanceof Sphere || z >= 0 && z <= 1;
-            if (inside
-                    && accept(
-                            t, o[0] + t * d[0], o[1] + t * d[1], height * z, px, py, pz, dx, dy, dz, out)) {
+            if (inside && accept(t, o[0] + t * d[0], o[1] + t * d[1], height * z, px, py, pz, dx, dy, dz, out)) {
                 return true;
             }
         }
@@ -124,7 +121,7 @@ public final class SurfaceCase {
 
     private boolean accept(
             double t,
-                       double nx,
+            double nx,
             double ny,
             double nz,
             double px,

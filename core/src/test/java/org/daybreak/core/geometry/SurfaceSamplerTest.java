@@ -50,8 +50,7 @@ class SurfaceSamplerTest {
                                 chart.toChart(d[0], d[1], d[2], xy);
                                 return true;
                             },
-                            (x, y) -> chart.toDirection(x, y, d)
-                                            && surface.hit(p[0], p[1], p[2], d[0], d[1], d[2], hit)
+                            (x, y) -> chart.toDirection(x, y, d) && surface.hit(p[0], p[1], p[2], d[0], d[1], d[2], hit)
                                     ? sampler.directionDensity(p[0], p[1], p[2], hit, d[0], d[1], d[2])
                                     : 0,
                             -radius,
@@ -179,7 +178,8 @@ class SurfaceSamplerTest {
     @Test
     void degenerateTrianglesAreNeverChosen() {
         float[] positions = {0, 0, 0, 1, 0, 0, 0, 1, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0, 0, 0, 1, 1, 0, 1, 0, 2, 1};
-        TriangleMesh mesh = new TriangleMesh(positions, new int[] {3, 4, 5, 0, 1, 2, 1, 1, 2, 6, 7, 8, 3, 5, 4}, null, null);
+        TriangleMesh mesh =
+                new TriangleMesh(positions, new int[] {3, 4, 5, 0, 1, 2, 1, 1, 2, 6, 7, 8, 3, 5, 4}, null, null);
         SurfaceSampler sampler = SurfaceSamplers.of(mesh, Transform.identity(), false);
         assertEquals(1.5, sampler.area(), 1e-15);
         SurfacePoint point = new SurfacePoint();
@@ -189,7 +189,9 @@ class SurfaceSamplerTest {
             counts[point.primitive]++;
         }
         // The numbers are evenly spaced, so the shares of the triangles are exact.
-        assertEquals(List.of(0L, 1000L, 0L, 2000L, 0L), java.util.Arrays.stream(counts).boxed().toList());
+        assertEquals(
+                List.of(0L, 1000L, 0L, 2000L, 0L),
+                java.util.Arrays.stream(counts).boxed().toList());
         SurfaceSampler flat = SurfaceSamplers.of(
                 new TriangleMesh(positions, new int[] {3, 4, 5}, null, null), Transform.identity(), false);
         assertEquals(0, flat.area());
