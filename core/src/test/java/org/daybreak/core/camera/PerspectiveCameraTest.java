@@ -37,8 +37,9 @@ class PerspectiveCameraTest {
                 new Case("pinhole", new PerspectiveCamera(PLACE, 0.6, 40, 25, 0, 0)),
                 new Case("wide pinhole", new PerspectiveCamera(PLACE, 3, 30, 40, 0, 0)),
                 new Case("lens", new PerspectiveCamera(PLACE, 0.6, 40, 25, 0.3, 2)),
-                new Case("mirrored and scaled lens", new PerspectiveCamera(
-                        PLACE.multiply(Transform.scale(-5, 5, 5)), 1.2, 30, 40, 0.5, 1.5)),
+                new Case(
+                        "mirrored and scaled lens",
+                        new PerspectiveCamera(PLACE.multiply(Transform.scale(-5, 5, 5)), 1.2, 30, 40, 0.5, 1.5)),
                 new Case("sheared pinhole", new PerspectiveCamera(shear, 0.8, 40, 25, 0, 0)),
                 new Case("sheared lens", new PerspectiveCamera(shear, 0.8, 40, 25, 0.3, 2)));
     }
@@ -144,16 +145,19 @@ class PerspectiveCameraTest {
             double ny = Math.sqrt(1 - nz * nz) * Math.sin(phi);
             double splat = 0;
             if (camera.sampleLens(
-                    cx + radius * nx, cy + radius * ny, cz + radius * nz, random.nextDouble(), random.nextDouble(), lens)) {
+                    cx + radius * nx,
+                    cy + radius * ny,
+                    cz + radius * nz,
+                    random.nextDouble(),
+                    random.nextDouble(),
+                    lens)) {
                 double cosine = nx * lens.wiX + ny * lens.wiY + nz * lens.wiZ;
                 splat = Math.max(0, cosine) * lens.weight * 4 * Math.PI * radius * radius;
             }
             fromLight.add(splat);
         }
         ZTest.assertNotRejected(
-                c.name(),
-                ZTest.twoSample(fromEye, fromLight),
-                Significance.sidak(SIGNIFICANCE, cases().size()));
+                c.name(), ZTest.twoSample(fromEye, fromLight), Significance.sidak(SIGNIFICANCE, cases().size()));
     }
 
     @Test
@@ -251,8 +255,7 @@ class PerspectiveCameraTest {
 
     @Test
     void samplingAllocatesNothing() {
-        com.sun.management.ThreadMXBean threads =
-                (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+        com.sun.management.ThreadMXBean threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
         PerspectiveCamera camera = cases().get(2).camera();
         CameraRay ray = new CameraRay();
         LensSample lens = new LensSample();
@@ -269,8 +272,7 @@ class PerspectiveCameraTest {
         assertTrue(bytes < 2000, bytes + " bytes");
     }
 
-    private static void assertRefused(
-            double tan, int width, int height, double aperture, double focus, String part) {
+    private static void assertRefused(double tan, int width, int height, double aperture, double focus, String part) {
         IllegalArgumentException e = assertThrows(
                 IllegalArgumentException.class,
                 () -> new PerspectiveCamera(Transform.identity(), tan, width, height, aperture, focus));

@@ -39,7 +39,8 @@ class AreaLightTest {
         for (double[] n : new double[][] {{1, 0, 0}, {0.96, 0, -0.28}, {0.96, 0, 0.28}}) {
             ZTest.assertNotRejected(
                     "clipped sphere",
-                    ZTest.oneSample(estimate(light, n[0], n[1], n[2], 100_000), light.importance(0, 0, 0, n[0], n[1], n[2])),
+                    ZTest.oneSample(
+                            estimate(light, n[0], n[1], n[2], 100_000), light.importance(0, 0, 0, n[0], n[1], n[2])),
                     Significance.sidak(SIGNIFICANCE, 3));
         }
         assertEquals(0, light.importance(0, 0, 0, 0.936, 0, -0.352));
@@ -92,7 +93,8 @@ class AreaLightTest {
             int samples = 400;
             for (int k = 0; k < samples; k++) {
                 if (light.sampleIncident(px, py, pz, random.nextDouble(), random.nextDouble(), sample)) {
-                    sum += sample.weight.g * Math.max(0, -(sample.wiX * px + sample.wiY * py + sample.wiZ * pz))
+                    sum += sample.weight.g
+                            * Math.max(0, -(sample.wiX * px + sample.wiY * py + sample.wiZ * pz))
                             / distance;
                 }
             }
@@ -110,7 +112,9 @@ class AreaLightTest {
     }
 
     static List<SurfaceCase> outwardSurfaces() {
-        return SurfaceCase.all().stream().filter(c -> !c.name().contains("flipped")).toList();
+        return SurfaceCase.all().stream()
+                .filter(c -> !c.name().contains("flipped"))
+                .toList();
     }
 
     @Test

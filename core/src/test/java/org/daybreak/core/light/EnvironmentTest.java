@@ -97,7 +97,8 @@ class EnvironmentTest {
             weights.add(sample.weight.luminance());
         }
         assertTrue(Math.sqrt(weights.variance()) < 0.03 * weights.mean());
-        // Its irradiance is the tent's solid angle times the peak: (2π/64)·(π/32)·sin θ times 10, 8, 6, integrated over rows.
+        // Its irradiance is the tent's solid angle times the peak: (2π/64)·(π/32)·sin θ times 10, 8, 6, integrated over
+        // rows.
         assertEquals(light.importance(0, 0, 0, 0, 0, 0), weights.mean(), 1e-3 * weights.mean());
     }
 
@@ -145,8 +146,7 @@ class EnvironmentTest {
 
     @Test
     void blackPanoramasAreHarmless() {
-        Light light = new ImageEnvironment(
-                new RadianceMap(4, 3, new float[36]), 1, Transform.identity(), 0, 0, 0, 1);
+        Light light = new ImageEnvironment(new RadianceMap(4, 3, new float[36]), 1, Transform.identity(), 0, 0, 0, 1);
         assertEquals(0, light.power());
         assertFalse(light.sampleIncident(0, 0, 0, 0.5, 0.5, new LightSample()));
         assertFalse(light.sampleEmission(0.5, 0.5, 0.5, 0.5, new EmissionSample()));

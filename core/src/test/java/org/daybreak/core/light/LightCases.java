@@ -52,8 +52,11 @@ final class LightCases {
         return List.of(
                 new Case("constant", new ConstantEnvironment(new Spectrum(3, 2, 1), 0.5, -0.5, 1, 2.5)),
                 new Case("panorama", environment(panorama(8, 5), TURN)),
-                new Case("panorama with shear", environment(
-                        panorama(8, 5), Transform.ofRows(1.1, 0.5, 0.2, 0.1, -0.3, 0.8, 0.4, 0.2, 0.1, -0.2, 0.6, -0.4))),
+                new Case(
+                        "panorama with shear",
+                        environment(
+                                panorama(8, 5),
+                                Transform.ofRows(1.1, 0.5, 0.2, 0.1, -0.3, 0.8, 0.4, 0.2, 0.1, -0.2, 0.6, -0.4))),
                 new Case("sun at the zenith", environment(spots(8, 5, 0, 0), TURN)),
                 new Case("sun on the seam", environment(spots(16, 9, 15, 3), TURN)),
                 new Case("single row", environment(panorama(4, 1), TURN)),

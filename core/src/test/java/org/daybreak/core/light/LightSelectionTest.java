@@ -41,8 +41,7 @@ class LightSelectionTest {
                         SurfaceSamplers.of(new Rectangle(), softbox, false), new TestTexture(2.2, 2.05, 1.8, false), 0),
                 new ConstantEnvironment(new Spectrum(0.07, 0.065, 0.06), 0, 0, 0, 20),
                 new AreaLight(
-                        SurfaceSamplers.of(
-                                new Sphere(new Point3d(-4.9, 4.3, 3.4), 0.13), Transform.identity(), false),
+                        SurfaceSamplers.of(new Sphere(new Point3d(-4.9, 4.3, 3.4), 0.13), Transform.identity(), false),
                         new TestTexture(3050, 2560, 1860, false),
                         1));
     }
@@ -51,9 +50,7 @@ class LightSelectionTest {
     void probabilitiesSumToOneAndAreTheFrequencies() {
         RandomStream random = new RandomStream(1, StreamDomain.SELF_CHECK, 0, 0);
         List<Light> lights = lights();
-        LightSelection[] selections = {
-            new ImportanceLightSelection(lights), new PowerLightSelection(lights)
-        };
+        LightSelection[] selections = {new ImportanceLightSelection(lights), new PowerLightSelection(lights)};
         int points = 10;
         for (LightSelection selection : selections) {
             for (int k = 0; k < points; k++) {
@@ -173,8 +170,7 @@ class LightSelectionTest {
     void manyLightsAreChosenByPower() {
         Light light = new PointLight(0, 0, -1, new Spectrum(1, 1, 1));
         assertInstanceOf(
-                ImportanceLightSelection.class,
-                LightSelections.forLights(java.util.Collections.nCopies(32, light)));
+                ImportanceLightSelection.class, LightSelections.forLights(java.util.Collections.nCopies(32, light)));
         LightSelection many = LightSelections.forLights(java.util.Collections.nCopies(40, light));
         assertInstanceOf(PowerLightSelection.class, many);
         assertEquals(1.0 / 40, many.probability(17, 1, 2, 3, 0, 0, 1), 1e-12);

@@ -58,8 +58,8 @@ class LightTest {
                     assertTrue(sample.point.geometricCosine(sample.wiX, sample.wiY, sample.wiZ) < 0);
                 }
                 light.radiance(sample.point, -sample.wiX, -sample.wiY, -sample.wiZ, radiance);
-                double density = light.incidentDensity(
-                        p[0], p[1], p[2], sample.point, sample.wiX, sample.wiY, sample.wiZ);
+                double density =
+                        light.incidentDensity(p[0], p[1], p[2], sample.point, sample.wiX, sample.wiY, sample.wiZ);
                 if (light.isDelta()) {
                     assertEquals(1, sample.density);
                     assertEquals(0, density);
@@ -130,9 +130,7 @@ class LightTest {
         // Quadrature in the constructors; of equal weights the rounding is all there is.
         if (Math.abs(power.mean() - expected) > 1e-4 * expected) {
             ZTest.assertNotRejected(
-                    c.name(),
-                    ZTest.oneSample(power, expected),
-                    Significance.sidak(SIGNIFICANCE, cases().size()));
+                    c.name(), ZTest.oneSample(power, expected), Significance.sidak(SIGNIFICANCE, cases().size()));
         }
     }
 
@@ -169,7 +167,8 @@ class LightTest {
         ChiSquareTest.ofDirections(
                         c.name(),
                         (u, v, w, d) -> {
-                            // A uniform disk across the ray is a uniform distribution of where it enters the sphere, seen
+                            // A uniform disk across the ray is a uniform distribution of where it enters the sphere,
+                            // seen
                             // along the ray: (2r², azimuth) go over into z and φ of a uniform direction.
                             if (!c.light().sampleEmission(u, v, w, 0.37, sample)) {
                                 return false;
@@ -249,7 +248,8 @@ class LightTest {
                     .cells(31, 15)
                     .samples(50_000)
                     .depth(3, 7)
-                    .assertAgrees(Significance.sidak(SIGNIFICANCE, LightCases.points().size()));
+                    .assertAgrees(
+                            Significance.sidak(SIGNIFICANCE, LightCases.points().size()));
         }
     }
 
@@ -269,8 +269,7 @@ class LightTest {
             double phi = 2 * Math.PI * random.nextDouble();
             double nx = Math.sqrt(1 - z * z) * Math.cos(phi);
             double ny = Math.sqrt(1 - z * z) * Math.sin(phi);
-            boolean arrives =
-                    c.light().sampleIncident(px, py, pz, random.nextDouble(), random.nextDouble(), sample);
+            boolean arrives = c.light().sampleIncident(px, py, pz, random.nextDouble(), random.nextDouble(), sample);
             if (arrives) {
                 assertTrue(c.light().importance(px, py, pz, 0, 0, 0) > 0);
                 if (sample.wiX * nx + sample.wiY * ny + sample.wiZ * z > 0) {
@@ -286,15 +285,14 @@ class LightTest {
 
     @Test
     void samplingAllocatesNothing() {
-        com.sun.management.ThreadMXBean threads =
-                (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+        com.sun.management.ThreadMXBean threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
         LightSample incident = new LightSample();
         EmissionSample emission = new EmissionSample();
         EmissionDensity density = new EmissionDensity();
         Spectrum radiance = new Spectrum();
         List<LightCases.Case> cases = cases();
-        LightSelection selection =
-                LightSelections.forLights(cases.stream().limit(30).map(LightCases.Case::light).toList());
+        LightSelection selection = LightSelections.forLights(
+                cases.stream().limit(30).map(LightCases.Case::light).toList());
         RandomStream random = new RandomStream(5, StreamDomain.SELF_CHECK, 0, 0);
         long before = 0;
         int rounds = 200;

@@ -30,9 +30,7 @@ class PointAndSpotTest {
     @Test
     void spotFallsOffAsInMitsuba() {
         Light light = new SpotLight(Transform.identity(), new Spectrum(2, 3, 5), 40, 15);
-        double[][] table = {
-            {0, 0.5}, {10, 0.5}, {14.9, 0.5}, {15.1, 0.498}, {20, 0.4}, {30, 0.2}, {39.9, 0.00199995}
-        };
+        double[][] table = {{0, 0.5}, {10, 0.5}, {14.9, 0.5}, {15.1, 0.498}, {20, 0.4}, {30, 0.2}, {39.9, 0.00199995}};
         for (double[] row : table) {
             double angle = Math.toRadians(row[0]);
             assertTrue(light.sampleIncident(2 * Math.sin(angle), 0, 2 * Math.cos(angle), 0.5, 0.5, sample));
