@@ -93,9 +93,9 @@ public final class PerspectiveCamera implements Camera {
             toWorld[i] /= unit;
             toCamera[i] *= unit;
         }
-        // The inverse transpose carries the normal of the lens plane. As |det M| = 1, its length is the stretch of areas there.
-        double stretch = Math.sqrt(
-                toCamera[6] * toCamera[6] + toCamera[7] * toCamera[7] + toCamera[8] * toCamera[8]);
+        // The inverse transpose carries the normal of the lens plane. As |det M| = 1, its length is the stretch of
+        // areas there.
+        double stretch = Math.sqrt(toCamera[6] * toCamera[6] + toCamera[7] * toCamera[7] + toCamera[8] * toCamera[8]);
         viewX = toCamera[6] / stretch;
         viewY = toCamera[7] / stretch;
         viewZ = toCamera[8] / stretch;

@@ -62,7 +62,8 @@ public final class Film {
         long pixels = (long) settings.crop().width() * settings.crop().height();
         if (pixels * Math.max(layout.stride, splatStride) > Integer.MAX_VALUE - 8) {
             throw new IllegalArgumentException("an image of " + settings.crop().width() + "x"
-                    + settings.crop().height() + " pixels is too large to be rendered in one piece; render crops of it");
+                    + settings.crop().height()
+                    + " pixels is too large to be rendered in one piece; render crops of it");
         }
         sums = new double[(int) pixels * layout.stride];
         int reach = 2 * FilterKernel.border(settings.filter()) + 2;
@@ -181,13 +182,14 @@ public final class Film {
                 luminance = sampleMean(at, luminanceSum(at, FilmLayout.COLOR));
                 int one = at + layout.squaredWeight;
                 double first = layout.unitBox ? luminanceSum(at, FilmLayout.COLOR) : sums[one + 1];
-                variance += sampleVariance(
-                        sums[at], sums[one], first, sums[at + FilmLayout.LUMINANCE_SQUARED], luminance);
+                variance +=
+                        sampleVariance(sums[at], sums[one], first, sums[at + FilmLayout.LUMINANCE_SQUARED], luminance);
             }
             if (splatSums != null) {
                 int at = p * splatStride;
                 double norm = splatNorm(p % width, p / width) * splatScale;
-                luminance += norm * Spectrum.luminance(splatSums[at], splatSums[at + 1], splatSums[at + 2]) / splatPaths;
+                luminance +=
+                        norm * Spectrum.luminance(splatSums[at], splatSums[at + 1], splatSums[at + 2]) / splatPaths;
                 variance += splatVariance(
                         Spectrum.luminance(splatSums[at], splatSums[at + 1], splatSums[at + 2]),
                         splatSums[at + 3],

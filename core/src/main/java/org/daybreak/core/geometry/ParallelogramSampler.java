@@ -130,8 +130,7 @@ final class ParallelogramSampler implements SurfaceSampler {
         if (bySolidAngle(px, py, pz)) {
             double x0 = (dx * ax + dy * ay + dz * az) / lengthA;
             double y0 = (dx * bx + dy * by + dz * bz) / lengthB;
-            double solidAngle =
-                    SphericalRectangles.solidAngle(x0, x0 + lengthA, y0, y0 + lengthB, height, on.scratch);
+            double solidAngle = SphericalRectangles.solidAngle(x0, x0 + lengthA, y0, y0 + lengthB, height, on.scratch);
             if (solidAngle > LEAST_SOLID_ANGLE) {
                 return 1 / solidAngle;
             }

@@ -32,8 +32,17 @@ public final class ShapeFrames {
         Frame frame = new Frame();
         frame.set(axis.x / length, axis.y / length, axis.z / length);
         return Transform.ofRows(
-                r * frame.sx, r * frame.tx, axis.x, from.x,
-                r * frame.sy, r * frame.ty, axis.y, from.y,
-                r * frame.sz, r * frame.tz, axis.z, from.z);
+                r * frame.sx,
+                r * frame.tx,
+                axis.x,
+                from.x,
+                r * frame.sy,
+                r * frame.ty,
+                axis.y,
+                from.y,
+                r * frame.sz,
+                r * frame.tz,
+                axis.z,
+                from.z);
     }
 }

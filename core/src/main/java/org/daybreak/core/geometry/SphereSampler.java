@@ -82,7 +82,8 @@ final class SphereSampler implements SurfaceSampler {
         if (!(squaredDistance > 1)) {
             return 0;
         }
-        // Outside: uniform in the cone. The sine of the angle at the centre follows from that at the point by the lateral
+        // Outside: uniform in the cone. The sine of the angle at the centre follows from that at the point by the
+        // lateral
         // distance of the surface point from the axis, with the distance along the ray from Vieta's formula: no
         // difference of nearly equal numbers anywhere.
         double distance = Math.sqrt(squaredDistance);

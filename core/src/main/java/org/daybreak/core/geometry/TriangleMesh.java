@@ -79,6 +79,45 @@ public final class TriangleMesh implements Shape {
         return uvs;
     }
 
+    /**
+     * A mesh whose triangles are wound so that their front is the side the vertex normals point to: the normals say which side
+     * is out, whatever the winding. Returns this mesh if it is so already or has no normals.
+     */
+    public TriangleMesh windAlongNormals() {
+        float[] n = normals;
+        if (n == null) {
+            return this;
+        }
+        int[] turned = null;
+        for (int i = 0; i < triangles.length; i += 3) {
+            if (windsAgainst(n, 3 * triangles[i], 3 * triangles[i + 1], 3 * triangles[i + 2])) {
+                if (turned == null) {
+                    turned = triangles.clone();
+                }
+                turned[i + 1] = triangles[i + 2];
+                turned[i + 2] = triangles[i + 1];
+            }
+        }
+        return turned == null ? this : new TriangleMesh(positions, turned, n, uvs);
+    }
+
+    private boolean windsAgainst(float[] n, int a, int b, int c) {
+        float[] p = positions;
+        double e1x = (double) p[b] - p[a];
+        double e1y = (double) p[b + 1] - p[a + 1];
+        double e1z = (double) p[b + 2] - p[a + 2];
+        double e2x = (double) p[c] - p[a];
+        double e2y = (double) p[c + 1] - p[a + 1];
+        double e2z = (double) p[c + 2] - p[a + 2];
+        double gx = e1y * e2z - e1z * e2y;
+        double gy = e1z * e2x - e1x * e2z;
+        double gz = e1x * e2y - e1y * e2x;
+        return gx * ((double) n[a] + n[b] + n[c])
+                        + gy * ((double) n[a + 1] + n[b + 1] + n[c + 1])
+                        + gz * ((double) n[a + 2] + n[b + 2] + n[c + 2])
+                < 0;
+    }
+
     private static void checkLength(String what, float @Nullable [] values, long expected) {
         if (values != null && values.length != expected) {
             throw new IllegalArgumentException(

@@ -22,8 +22,7 @@ public final class ConstantEnvironment implements Light {
      * @param centreX centre of a sphere that holds the scene
      * @param sceneRadius its radius; 0 for an empty scene, to which the light gives no power
      */
-    public ConstantEnvironment(
-            Spectrum radiance, double centreX, double centreY, double centreZ, double sceneRadius) {
+    public ConstantEnvironment(Spectrum radiance, double centreX, double centreY, double centreZ, double sceneRadius) {
         this.radiance = radiance.copy();
         luminance = radiance.luminance();
         this.centreX = centreX;

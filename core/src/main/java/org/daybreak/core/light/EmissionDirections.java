@@ -51,14 +51,7 @@ final class EmissionDirections {
     }
 
     /** Sets a point in free space that faces a direction. */
-    static void setFree(
-            SurfacePoint point,
-            double x,
-            double y,
-            double z,
-            double gx,
-            double gy,
-            double gz) {
+    static void setFree(SurfacePoint point, double x, double y, double z, double gx, double gy, double gz) {
         point.x = x;
         point.y = y;
         point.z = z;

@@ -74,7 +74,8 @@ public final class ImageEnvironment implements Light {
         lowerWeights = new double[rows];
         double step = Math.PI / rows;
         for (int row = 0; row < rows; row++) {
-            // ∫₀¹ sin(θ₀ + tΔ) dt and ∫₀¹ t sin(θ₀ + tΔ) dt, written about the middle of the row, where nothing cancels.
+            // ∫₀¹ sin(θ₀ + tΔ) dt and ∫₀¹ t sin(θ₀ + tΔ) dt, written about the middle of the row, where nothing
+            // cancels.
             double middle = (row + 0.5) * step;
             double half = 0.5 * step;
             double whole = Math.sin(middle) * Math.sin(half) / half;
@@ -126,8 +127,7 @@ public final class ImageEnvironment implements Light {
                 double wz = forward[6] * x + forward[7] * y + forward[8] * z;
                 double length = Math.sqrt(wx * wx + wy * wy + wz * wz);
                 double angle = cellAngle / (length * length * length);
-                builder.add(
-                        scale * cellWeight(column, row) * angle, wx / length, wy / length, wz / length);
+                builder.add(scale * cellWeight(column, row) * angle, wx / length, wy / length, wz / length);
             }
         }
         return builder.build();

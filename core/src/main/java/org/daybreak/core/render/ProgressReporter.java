@@ -68,8 +68,8 @@ public final class ProgressReporter {
         double rate = samples / Math.max(seconds, 1e-9);
         double byTime = seconds / context.budget().seconds();
         double fraction = Math.min(1, Math.max(samples / total, byTime));
-        double secondsLeft = Math.max(0, Math.min(clock.secondsLeft(), samples == 0 ? Double.NaN : (total - samples) / rate));
-        context.listener()
-                .progress(new Progress(fraction, samples, rate, seconds, secondsLeft, relativeError));
+        double secondsLeft =
+                Math.max(0, Math.min(clock.secondsLeft(), samples == 0 ? Double.NaN : (total - samples) / rate));
+        context.listener().progress(new Progress(fraction, samples, rate, seconds, secondsLeft, relativeError));
     }
 }

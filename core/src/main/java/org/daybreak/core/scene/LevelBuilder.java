@@ -3,17 +3,16 @@ package org.daybreak.core.scene;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import javax.vecmath.Point3d;
-import javax.vecmath.Vector3d;
 import org.daybreak.core.accel.Quadric;
 import org.daybreak.core.geometry.Cube;
+import org.daybreak.core.geometry.CubeMesh;
 import org.daybreak.core.geometry.Cylinder;
 import org.daybreak.core.geometry.Disk;
 import org.daybreak.core.geometry.Rectangle;
 import org.daybreak.core.geometry.Shape;
+import org.daybreak.core.geometry.ShapeFrames;
 import org.daybreak.core.geometry.Sphere;
 import org.daybreak.core.geometry.TriangleMesh;
-import org.daybreak.core.math.Frame;
 import org.daybreak.core.math.Transform;
 import org.jspecify.annotations.Nullable;
 
@@ -23,8 +22,6 @@ final class LevelBuilder {
             new float[] {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, new int[] {0, 1, 2, 2, 3, 0}, null, new float[] {
                 0, 0, 1, 0, 1, 1, 0, 1
             });
-
-    private static final TriangleMesh CUBE = cube();
 
     private float[] positions = {};
     private int[] triangles = {};
@@ -50,19 +47,13 @@ final class LevelBuilder {
         } else if (shape instanceof Rectangle) {
             addMesh(index, RECTANGLE, toLevel, flipNormals);
         } else if (shape instanceof Cube) {
-            addMesh(index, CUBE, toLevel, flipNormals);
+            addMesh(index, CubeMesh.MESH, toLevel, flipNormals);
         } else if (shape instanceof Sphere sphere) {
-            Point3d c = sphere.centre();
-            double r = sphere.radius();
-            addQuadric(
-                    index,
-                    Quadric.Kind.SPHERE,
-                    toLevel.multiply(Transform.translate(c.x, c.y, c.z).multiply(Transform.scale(r, r, r))),
-                    flipNormals);
+            addQuadric(index, Quadric.Kind.SPHERE, toLevel.multiply(ShapeFrames.of(sphere)), flipNormals);
         } else if (shape instanceof Disk) {
             addQuadric(index, Quadric.Kind.DISK, toLevel, flipNormals);
         } else if (shape instanceof Cylinder cylinder) {
-            addQuadric(index, Quadric.Kind.CYLINDER, toLevel.multiply(placementOf(cylinder)), flipNormals);
+            addQuadric(index, Quadric.Kind.CYLINDER, toLevel.multiply(ShapeFrames.of(cylinder)), flipNormals);
         }
     }
 
@@ -76,38 +67,6 @@ final class LevelBuilder {
                 triangleShapes.stream().mapToInt(Integer::intValue).toArray(),
                 quadrics.toArray(new Quadric[0]),
                 quadricShapes.toArray(new LevelGeometry.QuadricShape[0]));
-    }
-
-    /** Maps the canonical cylinder (unit circle, z from 0 to 1) to its place. */
-    static Transform placementOf(Cylinder cylinder) {
-        Point3d a = cylinder.from();
-        Vector3d axis = new Vector3d(cylinder.to());
-        axis.sub(a);
-        double length = axis.length();
-        double r = cylinder.radius();
-        Frame frame = new Frame();
-        frame.set(axis.x / length, axis.y / length, axis.z / length);
-        return Transform.ofRows(
-                r * frame.sx,
-                r * frame.tx,
-                axis.x,
-                a.x,
-                r * frame.sy,
-                r * frame.ty,
-                axis.y,
-                a.y,
-                r * frame.sz,
-                r * frame.tz,
-                axis.z,
-                a.z);
-    }
-
-    /** The mesh of a shape that is made of triangles, null for analytic shapes. */
-    static @Nullable TriangleMesh meshOf(Shape shape) {
-        if (shape instanceof TriangleMesh mesh) {
-            return mesh;
-        }
-        return shape instanceof Cube ? CUBE : null;
     }
 
     private void addQuadric(int index, Quadric.Kind kind, Transform toLevel, boolean flipNormals) {
@@ -143,13 +102,9 @@ final class LevelBuilder {
         boolean swap = toLevel.isMirroring() != flipNormals;
         int[] corners = mesh.triangles();
         for (int i = 0; i < corners.length; i += 3) {
-            int a = firstVertex + corners[i];
-            int b = firstVertex + corners[i + (swap ? 2 : 1)];
-            int c = firstVertex + corners[i + (swap ? 1 : 2)];
-            boolean against = meshNormals != null && windsAgainstNormals(a, b, c);
-            triangles[cornerCount + i] = a;
-            triangles[cornerCount + i + 1] = against ? c : b;
-            triangles[cornerCount + i + 2] = against ? b : c;
+            triangles[cornerCount + i] = firstVertex + corners[i];
+            triangles[cornerCount + i + 1] = firstVertex + corners[i + (swap ? 2 : 1)];
+            triangles[cornerCount + i + 2] = firstVertex + corners[i + (swap ? 1 : 2)];
         }
         vertexCount += mesh.vertexCount();
         cornerCount += corners.length;
@@ -169,24 +124,6 @@ final class LevelBuilder {
             normals[at + 1] = (float) (n[1] * scale);
             normals[at + 2] = (float) (n[2] * scale);
         }
-    }
-
-    /** Vertex normals say which side is the front; a triangle wound against all of them is turned over. */
-    private boolean windsAgainstNormals(int a, int b, int c) {
-        float[] n = java.util.Objects.requireNonNull(normals);
-        double e1x = positions[3 * b] - positions[3 * a];
-        double e1y = positions[3 * b + 1] - positions[3 * a + 1];
-        double e1z = positions[3 * b + 2] - positions[3 * a + 2];
-        double e2x = positions[3 * c] - positions[3 * a];
-        double e2y = positions[3 * c + 1] - positions[3 * a + 1];
-        double e2z = positions[3 * c + 2] - positions[3 * a + 2];
-        double gx = e1y * e2z - e1z * e2y;
-        double gy = e1z * e2x - e1x * e2z;
-        double gz = e1x * e2y - e1y * e2x;
-        double sx = (double) n[3 * a] + n[3 * b] + n[3 * c];
-        double sy = (double) n[3 * a + 1] + n[3 * b + 1] + n[3 * c + 1];
-        double sz = (double) n[3 * a + 2] + n[3 * b + 2] + n[3 * c + 2];
-        return gx * sx + gy * sy + gz * sz < 0;
     }
 
     private void grow(TriangleMesh mesh) {
@@ -210,33 +147,5 @@ final class LevelBuilder {
             triangles = Arrays.copyOf(triangles, (int)
                     Math.min(Integer.MAX_VALUE - 8L, Math.max(corners, 3L * triangles.length / 2)));
         }
-    }
-
-    private static TriangleMesh cube() {
-        float[] positions = new float[72];
-        float[] uvs = new float[48];
-        int[] triangles = new int[36];
-        int vertex = 0;
-        int corner = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            for (int side = -1; side <= 1; side += 2) {
-                int first = vertex;
-                for (int k = 0; k < 4; k++) {
-                    float a = k == 1 || k == 2 ? 1 : -1;
-                    float b = k >= 2 ? 1 : -1;
-                    positions[3 * vertex + axis] = side;
-                    positions[3 * vertex + (axis + 1) % 3] = side * a;
-                    positions[3 * vertex + (axis + 2) % 3] = b;
-                    uvs[2 * vertex] = (a + 1) / 2;
-                    uvs[2 * vertex + 1] = (b + 1) / 2;
-                    vertex++;
-                }
-                int[] quad = {0, 1, 2, 2, 3, 0};
-                for (int k : quad) {
-                    triangles[corner++] = first + k;
-                }
-            }
-        }
-        return new TriangleMesh(positions, triangles, null, uvs);
     }
 }

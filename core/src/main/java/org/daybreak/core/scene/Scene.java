@@ -13,7 +13,7 @@ import org.daybreak.core.math.Bounds;
 
 /**
  * A compiled scene: geometry with its acceleration structure, materials, lights and camera. Immutable and thread-safe;
- * made by the scene compiler.
+ * made by {@link SceneCompiler}.
  */
 public final class Scene {
     private final Intersector intersector;

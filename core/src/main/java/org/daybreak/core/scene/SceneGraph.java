@@ -4,7 +4,7 @@ import org.daybreak.core.film.FilmSettings;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An editable scene: a tree of nodes, a camera and a film. Readers and programs fill it; the scene compiler turns it into a
+ * An editable scene: a tree of nodes, a camera and a film. Readers and programs fill it; {@link SceneCompiler} turns it into a
  * {@link Scene}. Not thread-safe.
  */
 public final class SceneGraph {
