@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeSet;
 import javax.vecmath.Matrix4d;
 import javax.xml.stream.Location;
@@ -26,7 +27,7 @@ import org.jspecify.annotations.Nullable;
 /** Parses one XML file. */
 final class XmlFileParser {
     private static final int ELEMENT_DEPTH = 64;
-    private static final TreeSet<String> ELEMENTS = elements();
+    private static final Set<String> ELEMENTS = elements();
 
     private final MitsubaReader reader;
     private final ProblemList problems;
@@ -54,7 +55,7 @@ final class XmlFileParser {
         }
     }
 
-    private static TreeSet<String> elements() {
+    private static Set<String> elements() {
         TreeSet<String> names = new TreeSet<>(List.of(
                 "boolean",
                 "integer",
@@ -123,13 +124,14 @@ final class XmlFileParser {
     }
 
     private List<PropertyDescription> parseRoot(boolean main) throws XMLStreamException {
-        while (checkEvent(xml.next()) != XMLStreamConstants.START_ELEMENT) {
-            continue;
+        int event = xml.getEventType();
+        while (event != XMLStreamConstants.START_ELEMENT) {
+            event = checkEvent(xml.next());
         }
         SourceLocation location = enter();
         String element = xml.getLocalName();
         ObjectKind kind = MitsubaReader.kind(element);
-        if (kind == null || main && kind != ObjectKind.SCENE) {
+        if (kind == null || (main && kind != ObjectKind.SCENE)) {
             throw new StopException(location, "the root of a scene file must be <scene> but is <" + element + ">");
         }
         Map<String, String> attributes = attributes(location);
