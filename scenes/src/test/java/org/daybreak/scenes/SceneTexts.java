@@ -42,7 +42,8 @@ final class SceneTexts {
     /** The errors of a scene that must not load. */
     static List<SceneProblem> errors(Path folder, String text) throws IOException {
         Path file = write(folder, "scene.xml", text);
-        return assertThrows(SceneException.class, () -> new SceneReader().load(file, Map.of())).problems();
+        return assertThrows(SceneException.class, () -> new SceneReader().load(file, Map.of()))
+                .problems();
     }
 
     /** The places of all marks in a text as line:column of what follows them. */

@@ -105,7 +105,7 @@ public record PropertyDefinition(
 
     private String range(boolean whole) {
         boolean below = minimum > Double.NEGATIVE_INFINITY;
-        boolean above = maximum < Double.POSITIVE_INFINITY;
+        boolean above = maximum < (whole ? Integer.MAX_VALUE : Double.MAX_VALUE);
         if (minimum == Double.MIN_VALUE) {
             return above ? " greater than 0, at most " + number(maximum, whole) : " greater than 0";
         }
