@@ -34,7 +34,8 @@ final class Strata {
             int left = value >>> half;
             int right = value & mask;
             for (int round = 0; round < ROUNDS; round++) {
-                int mixed = left ^ ((int) Mixing.mix64(key + (((long) round << 32) | right) * Mixing.GOLDEN_GAMMA) & mask);
+                int mixed =
+                        left ^ ((int) Mixing.mix64(key + (((long) round << 32) | right) * Mixing.GOLDEN_GAMMA) & mask);
                 left = right;
                 right = mixed;
             }

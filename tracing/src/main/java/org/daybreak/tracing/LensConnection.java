@@ -42,7 +42,7 @@ final class LensConnection {
     /**
      * Joins a scattering vertex to the lens (s ≥ 2).
      *
-     * @param wo direction back along the light subpath
+     * @param woX direction back along the light subpath
      * @param r throughput of the subpath up to the vertex, divided by all densities
      * @param u first number for the point on the lens
      * @return false if the contribution was not finite
@@ -94,7 +94,8 @@ final class LensConnection {
      * For a light at infinity the direction of y₀ is what the lens sees, with its density per solid angle; its position on
      * the disk that covers the scene plays no part.
      */
-    private boolean joinInfinite(Light light, EmissionSample y0, double chosen, double u, double v, SplatBuffer splats) {
+    private boolean joinInfinite(
+            Light light, EmissionSample y0, double chosen, double u, double v, SplatBuffer splats) {
         if (!camera.sampleRay(0.5 * camera.width(), 0.5 * camera.height(), u, v, cameraRay)) {
             return true;
         }

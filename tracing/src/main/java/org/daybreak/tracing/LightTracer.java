@@ -80,7 +80,10 @@ final class LightTracer {
         double lensU = lensArea ? sampler.next() : 0.5;
         double lensV = lensArea ? sampler.next() : 0.5;
         boolean finite = lens.joinEmitter(light, emission, chosen, lensU, lensV, splats);
-        return edgeLimit < 2 ? finite : finite & walk(chosen, splats);
+        if (edgeLimit >= 2) {
+            finite &= walk(chosen, splats);
+        }
+        return finite;
     }
 
     /** Follows the subpath from the emission sample on. */

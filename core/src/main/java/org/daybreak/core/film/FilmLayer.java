@@ -5,9 +5,9 @@ import java.util.List;
 /** An auxiliary image that a film can gather beside the colour. */
 public enum FilmLayer {
     /** Reflectance plus transmittance of the first surface seen, for denoisers; 0 where nothing is seen. */
-    ALBEDO("albedo", "R", "G", "B"),
+    ALBEDO("albedo", "RGB"),
     /** Shading normal of the first surface seen, world space, as the surface defines it; 0 where nothing is seen. */
-    NORMAL("normal", "X", "Y", "Z"),
+    NORMAL("normal", "XYZ"),
     /**
      * Distance along the ray from the lens to the first surface seen, in world units: the mean over the samples that see
      * a surface; 0 where none does.
@@ -18,15 +18,14 @@ public enum FilmLayer {
      * independent. Samplers that spread samples evenly have a lower variance than that. NaN where a pixel has fewer
      * than two samples.
      */
-    VARIANCE("variance", "R", "G", "B");
+    VARIANCE("variance", "RGB");
 
     private final String id;
-    private final List<String> channels;
+    private final String components;
 
-    FilmLayer(String id, String... components) {
+    FilmLayer(String id, String components) {
         this.id = id;
-        this.channels =
-                java.util.Arrays.stream(components).map(c -> id + "." + c).toList();
+        this.components = components;
     }
 
     /** Name of the layer in files and on the command line. */
@@ -36,6 +35,6 @@ public enum FilmLayer {
 
     /** Names of its channels: {@code albedo.R}, {@code albedo.G}, … */
     public List<String> channels() {
-        return channels;
+        return components.chars().mapToObj(c -> id + "." + (char) c).toList();
     }
 }

@@ -70,40 +70,51 @@ public record Parameter(
      */
     public Object parse(String text) {
         String t = text.trim();
-        switch (type) {
-            case INTEGER:
-                try {
-                    int value = Integer.parseInt(t);
-                    if (value >= minimum && value <= maximum) {
-                        return value;
-                    }
-                } catch (NumberFormatException e) {
-                    throw invalid(text, e);
+        return switch (type) {
+            case INTEGER -> parseInteger(t, text);
+            case REAL -> parseReal(t, text);
+            case BOOLEAN -> parseFlag(t, text);
+            case CHOICE -> {
+                if (!choices.contains(t)) {
+                    throw invalid(text, null);
                 }
-                throw invalid(text, null);
-            case REAL:
-                try {
-                    double value = Double.parseDouble(t);
-                    if (value >= minimum && value <= maximum) {
-                        return value;
-                    }
-                } catch (NumberFormatException e) {
-                    throw invalid(text, e);
-                }
-                throw invalid(text, null);
-            case BOOLEAN:
-                String lower = t.toLowerCase(Locale.ROOT);
-                if (lower.equals("true") || lower.equals("false")) {
-                    return lower.equals("true");
-                }
-                throw invalid(text, null);
-            case CHOICE:
-                if (choices.contains(t)) {
-                    return t;
-                }
-                throw invalid(text, null);
+                yield t;
+            }
+        };
+    }
+
+    private Integer parseInteger(String trimmed, String text) {
+        int value;
+        try {
+            value = Integer.parseInt(trimmed);
+        } catch (NumberFormatException e) {
+            throw invalid(text, e);
         }
-        throw new AssertionError(type);
+        if (!(value >= minimum && value <= maximum)) {
+            throw invalid(text, null);
+        }
+        return value;
+    }
+
+    private Double parseReal(String trimmed, String text) {
+        double value;
+        try {
+            value = Double.parseDouble(trimmed);
+        } catch (NumberFormatException e) {
+            throw invalid(text, e);
+        }
+        if (!(value >= minimum && value <= maximum)) {
+            throw invalid(text, null);
+        }
+        return value;
+    }
+
+    private Boolean parseFlag(String trimmed, String text) {
+        return switch (trimmed.toLowerCase(Locale.ROOT)) {
+            case "true" -> true;
+            case "false" -> false;
+            default -> throw invalid(text, null);
+        };
     }
 
     /** The admissible values in words: {@code "a whole number from 1 to 64"}. */
