@@ -3,11 +3,13 @@ package org.daybreak.scenes;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import javax.imageio.ImageIO;
 import org.daybreak.scenes.build.PluginDefinition;
 import org.daybreak.scenes.build.PropertyDefinition;
 import org.daybreak.scenes.build.ValueType;
@@ -31,13 +33,20 @@ class InputFormatsTest {
     @MethodSource("plugins")
     void everyTypeLoadsWithItsDefaultsSpelledOut(PluginDefinition plugin) throws IOException, SceneException {
         SceneTexts.write(folder, "t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        SceneTexts.write(
-                folder,
-                "t.ply",
-                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-                        + "element face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0 1 0 0 0 1 0 3 0 1 2\n");
-        javax.imageio.ImageIO.write(
-                new java.awt.image.BufferedImage(2, 1, java.awt.image.BufferedImage.TYPE_INT_RGB),
+        SceneTexts.write(folder, "t.ply", """
+                ply
+                format ascii 1.0
+                element vertex 3
+                property float x
+                property float y
+                property float z
+                element face 1
+                property list uchar int vertex_index
+                end_header
+                0 0 0 1 0 0 0 1 0 3 0 1 2
+                """);
+        ImageIO.write(
+                new BufferedImage(2, 1, BufferedImage.TYPE_INT_RGB),
                 "png",
                 folder.resolve("t.png").toFile());
         String object = object(plugin);

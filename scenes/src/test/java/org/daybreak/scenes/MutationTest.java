@@ -3,6 +3,8 @@ package org.daybreak.scenes;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -33,12 +35,41 @@ class MutationTest {
             + "<scale value='2'/><matrix value='1 0 0 0 1 0 0 0 1'/></transform></shape>\n"
             + "<shape type='ply'><string name='filename' value='t.ply'/><emitter type='area'/></shape>"
             + "<emitter type='spot'><spectrum name='intensity' value='3'/></emitter><!-- end -->\n</scene>\n";
-    private static final String OBJ = "# cube corner\nv 0 0 0\nv 1 0 0.5\nv 1 1e0 0\nv -0 1 -1.25\nvt 0 0\nvt 1 .5\n"
-            + "vn 0 0 1\ns 1\nusemtl a\nf 1/1/1 2/2/1 3/1/1 4/2/1\nf -4 -2 \\\n -1\n";
-    private static final String PLY =
-            "ply\nformat ascii 1.0\ncomment c\nelement vertex 4\nproperty float x\nproperty float y\n"
-                    + "property float z\nproperty uchar red\nelement face 2\nproperty list uchar int vertex_indices\n"
-                    + "property list short float w\nend_header\n0 0 0 1\n1 0 0 2\n1 1 0 3\n0 1 0.5 4\n4 0 1 2 3 0\n3 0 1 2 1 0.5\n";
+    private static final String OBJ = """
+            # cube corner
+            v 0 0 0
+            v 1 0 0.5
+            v 1 1e0 0
+            v -0 1 -1.25
+            vt 0 0
+            vt 1 .5
+            vn 0 0 1
+            s 1
+            usemtl a
+            f 1/1/1 2/2/1 3/1/1 4/2/1
+            f -4 -2 \\
+             -1
+            """;
+    private static final String PLY = """
+            ply
+            format ascii 1.0
+            comment c
+            element vertex 4
+            property float x
+            property float y
+            property float z
+            property uchar red
+            element face 2
+            property list uchar int vertex_indices
+            property list short float w
+            end_header
+            0 0 0 1
+            1 0 0 2
+            1 1 0 3
+            0 1 0.5 4
+            4 0 1 2 3 0
+            3 0 1 2 1 0.5
+            """;
 
     @TempDir
     Path folder;
@@ -119,11 +150,11 @@ class MutationTest {
 
     @Test
     void binaryPlyFiles() throws IOException {
-        java.io.ByteArrayOutputStream out = new java.io.ByteArrayOutputStream();
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
         out.write(PLY.substring(0, PLY.indexOf("end_header\n") + 11)
                 .replace("ascii", "binary_big_endian")
                 .getBytes(StandardCharsets.UTF_8));
-        java.io.DataOutputStream data = new java.io.DataOutputStream(out);
+        DataOutputStream data = new DataOutputStream(out);
         for (int i = 0; i < 4; i++) {
             data.writeFloat(i);
             data.writeFloat(i * i);

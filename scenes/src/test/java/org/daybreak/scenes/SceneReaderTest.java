@@ -16,6 +16,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -128,7 +129,7 @@ class SceneReaderTest {
         for (String type : List.of("rectangle", "disk", "cube")) {
             ShapeNode node = shape("<shape type='" + type + "'><boolean name='flip_normals' value='TRUE'/></shape>");
             assertTrue(node.flipNormals());
-            assertEquals(type, node.shape().getClass().getSimpleName().toLowerCase(java.util.Locale.ROOT));
+            assertEquals(type, node.shape().getClass().getSimpleName().toLowerCase(Locale.ROOT));
         }
     }
 
@@ -449,8 +450,18 @@ class SceneReaderTest {
         SceneTexts.write(folder, "plain.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nf 1 2 3 4\n");
         // vertex_normals of the same shape in Mitsuba 3.9.1; front by winding.
         float[] expected = {
-            -0.12014041f, -0.36042121f, -0.92502046f, 0, 0, -1, -0.03369471f, -0.10108414f, -0.99430716f, -0.14744195f,
-            -0.44232589f, -0.88465178f
+            -0.12014041f,
+            -0.3604212f,
+            -0.92502046f,
+            0,
+            0,
+            -1,
+            -0.03369471f,
+            -0.10108414f,
+            -0.99430716f,
+            -0.14744195f,
+            -0.4423259f,
+            -0.8846518f
         };
         float[] local = mesh("plain.obj", "<transform name='to_world'><scale x='3' y='-1' z='0.5'/></transform>")
                 .normals();

@@ -48,7 +48,8 @@ final class Definitions {
      *
      * @return the text, or null after an error, which is reported
      */
-    @Nullable String substitute(String text, SourceLocation location, ProblemList problems) {
+    @Nullable
+    String substitute(String text, SourceLocation location, ProblemList problems) {
         int dollar = text.indexOf('$');
         if (dollar < 0) {
             return text;

@@ -310,7 +310,8 @@ final class XmlFileParser {
             List<PropertyDescription> properties)
             throws XMLStreamException {
         if (tainted) {
-            boolean value = !List.of("ref", "include", "default", "alias", "path").contains(element);
+            boolean value =
+                    !List.of("ref", "include", "default", "alias", "path").contains(element);
             if (value && !attributes.getOrDefault("name", "").isEmpty()) {
                 addInvalid(properties, attributes, location);
             } else {

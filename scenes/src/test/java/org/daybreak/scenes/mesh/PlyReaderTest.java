@@ -15,6 +15,8 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.daybreak.core.geometry.TriangleMesh;
 import org.junit.jupiter.api.Test;
@@ -26,8 +28,17 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class PlyReaderTest {
-    private static final String HEADER = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
-            + "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    private static final String HEADER = """
+            ply
+            format ascii 1.0
+            element vertex 4
+            property float x
+            property float y
+            property float z
+            element face 1
+            property list uchar int vertex_indices
+            end_header
+            """;
     private static final String VERTICES = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
     @TempDir
@@ -51,14 +62,14 @@ class PlyReaderTest {
                         + "property short z\nproperty float nx\nproperty float ny\nproperty float nz\n"
                         + "property float s\nproperty float t\n"
                         + "element face 2\nproperty int flags\nproperty list uint "
-                        + index.name().toLowerCase(java.util.Locale.ROOT)
+                        + index.name().toLowerCase(Locale.ROOT)
                         + " vertex_index\nend_header\n")
                 .getBytes(StandardCharsets.US_ASCII));
         ByteBuffer b = ByteBuffer.allocate(1000).order(order);
         b.put((byte) 1).putShort((short) 2).putDouble(5).putDouble(6);
         b.put((byte) 2).putShort((short) 0);
         for (int i = 0; i < 4; i++) {
-            b.putDouble(i / 2).put((byte) 200).putFloat(i % 2 + 0.5f).putShort((short) -i);
+            b.putDouble(i < 2 ? 0 : 1).put((byte) 200).putFloat(i % 2 + 0.5f).putShort((short) -i);
             b.putFloat(0).putFloat(0).putFloat(i + 1).putFloat(i * 0.25f).putFloat(0.125f);
         }
         int[][] faces = {{0, 2, 3, 1}, {3, 2, 0}};
@@ -94,7 +105,7 @@ class PlyReaderTest {
     void refusesEveryTruncation() throws IOException {
         byte[] whole = binary(ByteOrder.LITTLE_ENDIAN, PlyType.INT32);
         for (int length = 0; length < whole.length; length++) {
-            byte[] part = java.util.Arrays.copyOf(whole, length);
+            byte[] part = Arrays.copyOf(whole, length);
             MeshFormatException e = assertThrows(MeshFormatException.class, () -> read(part, false));
             assertNotNull(e.getMessage());
         }
@@ -121,9 +132,17 @@ class PlyReaderTest {
 
     @Test
     void acceptsFacesBeforeVertices() throws IOException {
-        String header =
-                "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nelement vertex 3\n"
-                        + "property float x\nproperty float y\nproperty float z\nend_header\n";
+        String header = """
+                ply
+                format ascii 1.0
+                element face 1
+                property list uchar int vertex_indices
+                element vertex 3
+                property float x
+                property float y
+                property float z
+                end_header
+                """;
         assertEquals(1, read(header + "3 0 1 2\n0 0 0 1 0 0 0 1 0").triangleCount());
         MeshFormatException e =
                 assertThrows(MeshFormatException.class, () -> read(header + "3 0 1 3\n0 0 0 1 0 0 0 1 0"));
