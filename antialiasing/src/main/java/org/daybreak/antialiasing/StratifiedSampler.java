@@ -39,7 +39,9 @@ final class StratifiedSampler extends Sampler {
         boolean first = (dimension & 1) == 0;
         dimension++;
         double jitter = stream.nextDouble();
-        return first ? Strata.within(stratum % columns, columns, jitter) : Strata.within(stratum / columns, rows, jitter);
+        return first
+                ? Strata.within(stratum % columns, columns, jitter)
+                : Strata.within(stratum / columns, rows, jitter);
     }
 
     @Override

@@ -75,8 +75,7 @@ final class ClassicRayTracer implements RayProcessor {
         double g = r;
         double b = r;
         int edges = 1;
-        boolean found = caster.trace(
-                cameraRay.ox, cameraRay.oy, cameraRay.oz, dx, dy, dz, RayKind.CAMERA, here);
+        boolean found = caster.trace(cameraRay.ox, cameraRay.oy, cameraRay.oz, dx, dy, dz, RayKind.CAMERA, here);
         for (int vertex = 1; ; vertex++) {
             if (!found) {
                 direct.addEscaped(here, dx, dy, dz, r, g, b, Double.POSITIVE_INFINITY, radiance);

@@ -85,8 +85,7 @@ final class PathTracer implements RayProcessor {
         double etaScale = 1;
         double scatterDensity = Double.POSITIVE_INFINITY;
         int edges = 1;
-        boolean found = caster.trace(
-                cameraRay.ox, cameraRay.oy, cameraRay.oz, dx, dy, dz, RayKind.CAMERA, here);
+        boolean found = caster.trace(cameraRay.ox, cameraRay.oy, cameraRay.oz, dx, dy, dz, RayKind.CAMERA, here);
         for (int vertex = 1; ; vertex++) {
             if (!found) {
                 direct.addEscaped(here, dx, dy, dz, r, g, b, scatterDensity, radiance);

@@ -112,9 +112,10 @@ public final class PixelwiseRenderer implements Renderer {
             area = film.sampleArea();
             tilesX = (area.width() + TILE_SIZE - 1) / TILE_SIZE;
             tiles = (long) tilesX * ((area.height() + TILE_SIZE - 1) / TILE_SIZE);
-            samplesPerPixel = context.antialiasing().samplesPerPixel(context.budget().samplesPerPixel());
-            progress = new ProgressReporter(
-                    context, clock, film, (double) samplesPerPixel * area.width() * area.height());
+            samplesPerPixel =
+                    context.antialiasing().samplesPerPixel(context.budget().samplesPerPixel());
+            progress =
+                    new ProgressReporter(context, clock, film, (double) samplesPerPixel * area.width() * area.height());
             passSize = 1;
         }
 
@@ -129,7 +130,11 @@ public final class PixelwiseRenderer implements Renderer {
             created.add(processor);
             preparedAt = clock.seconds();
             return new TileWorker(
-                    processor, context.antialiasing().newSampler(context.seed(), samplesPerPixel), film, context, clock);
+                    processor,
+                    context.antialiasing().newSampler(context.seed(), samplesPerPixel),
+                    film,
+                    context,
+                    clock);
         }
 
         @Override

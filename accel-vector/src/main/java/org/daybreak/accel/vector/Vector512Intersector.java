@@ -130,8 +130,8 @@ final class Vector512Intersector implements Intersector {
                     do {
                         lane = Long.numberOfTrailingZeros(hits);
                         hits &= hits - 1;
-                        long entry = (long) lanes[lane] << 32
-                                | Float.floatToRawIntBits(n[references + lane]) & 0xffffffffL;
+                        long entry =
+                                (long) lanes[lane] << 32 | Float.floatToRawIntBits(n[references + lane]) & 0xffffffffL;
                         int slot = sp++;
                         while (slot > bottom && stack[slot - 1] < entry) {
                             stack[slot] = stack[slot - 1];
@@ -150,8 +150,10 @@ final class Vector512Intersector implements Intersector {
                         FloatVector.fromArray(FLOATS, b, at + 3 * W + axisW).sub(ow);
                 FloatVector cw =
                         FloatVector.fromArray(FLOATS, b, at + 6 * W + axisW).sub(ow);
-                FloatVector au = aw.fma(su, FloatVector.fromArray(FLOATS, b, at + axisU).sub(ou));
-                FloatVector av = aw.fma(sv, FloatVector.fromArray(FLOATS, b, at + axisV).sub(ov));
+                FloatVector au =
+                        aw.fma(su, FloatVector.fromArray(FLOATS, b, at + axisU).sub(ou));
+                FloatVector av =
+                        aw.fma(sv, FloatVector.fromArray(FLOATS, b, at + axisV).sub(ov));
                 FloatVector bu = bw.fma(
                         su, FloatVector.fromArray(FLOATS, b, at + 3 * W + axisU).sub(ou));
                 FloatVector bv = bw.fma(
@@ -164,7 +166,8 @@ final class Vector512Intersector implements Intersector {
                 FloatVector eb = au.mul(cv).sub(av.mul(cu));
                 FloatVector ec = bu.mul(av).sub(bv.mul(au));
                 FloatVector zero = FloatVector.zero(FLOATS);
-                FloatVector inverse = FloatVector.broadcast(FLOATS, 1).div(ea.add(eb).add(ec));
+                FloatVector inverse =
+                        FloatVector.broadcast(FLOATS, 1).div(ea.add(eb).add(ec));
                 // The sum with zero turns -0 into +0, so that the sign bit tells inside from outside.
                 FloatVector wa = ea.fma(inverse, zero);
                 FloatVector wb = eb.fma(inverse, zero);
@@ -291,8 +294,10 @@ final class Vector512Intersector implements Intersector {
                         FloatVector.fromArray(FLOATS, b, at + 3 * W + axisW).sub(ow);
                 FloatVector cw =
                         FloatVector.fromArray(FLOATS, b, at + 6 * W + axisW).sub(ow);
-                FloatVector au = aw.fma(su, FloatVector.fromArray(FLOATS, b, at + axisU).sub(ou));
-                FloatVector av = aw.fma(sv, FloatVector.fromArray(FLOATS, b, at + axisV).sub(ov));
+                FloatVector au =
+                        aw.fma(su, FloatVector.fromArray(FLOATS, b, at + axisU).sub(ou));
+                FloatVector av =
+                        aw.fma(sv, FloatVector.fromArray(FLOATS, b, at + axisV).sub(ov));
                 FloatVector bu = bw.fma(
                         su, FloatVector.fromArray(FLOATS, b, at + 3 * W + axisU).sub(ou));
                 FloatVector bv = bw.fma(
@@ -305,7 +310,8 @@ final class Vector512Intersector implements Intersector {
                 FloatVector eb = au.mul(cv).sub(av.mul(cu));
                 FloatVector ec = bu.mul(av).sub(bv.mul(au));
                 FloatVector zero = FloatVector.zero(FLOATS);
-                FloatVector inverse = FloatVector.broadcast(FLOATS, 1).div(ea.add(eb).add(ec));
+                FloatVector inverse =
+                        FloatVector.broadcast(FLOATS, 1).div(ea.add(eb).add(ec));
                 FloatVector wa = ea.fma(inverse, zero);
                 FloatVector wb = eb.fma(inverse, zero);
                 FloatVector wc = ec.fma(inverse, zero);

@@ -21,9 +21,6 @@ final class BinnedSahBuilder {
     /** Beyond this depth ranges are halved by number, which bounds the depth by this plus 27. */
     private static final int MAX_SAH_DEPTH = 48;
 
-    /** Cost of testing one block of triangles in units of one binary node. */
-    private static final float BLOCK_COST = 1;
-
     private final PrimitiveRecords records;
     private final float[] data;
     private final int leafWidth;
@@ -99,7 +96,7 @@ final class BinnedSahBuilder {
         int others = onlyTriangles ? 0 : countOthers(node);
         boolean homogeneous = others == 0 || others == node.count;
         int leafMaximum = others == 0 ? leafWidth : 1;
-        if (homogeneous && node.count <= leafMaximum && (node.count <= 1 || !splitPays(node, scratch))) {
+        if (homogeneous && node.count <= leafMaximum) {
             return;
         }
         int middle;
@@ -190,11 +187,6 @@ final class BinnedSahBuilder {
         scratch.centroids[3] = highX;
         scratch.centroids[4] = highY;
         scratch.centroids[5] = highZ;
-    }
-
-    /** A range that fits one block stays one: a second block costs as much as this one. */
-    private boolean splitPays(BinaryNode node, Scratch scratch) {
-        return node.count > leafWidth;
     }
 
     /** Finds the cheapest of the planes between bins; false if all centroids coincide. */

@@ -1,5 +1,7 @@
 package org.daybreak.core.accel;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * Turns the answer of an {@link Intersector} into a point in double precision, and tells how far the origin of a ray
  * that leaves this point must be moved off the surface. Mutable; owned by one worker.
@@ -20,18 +22,21 @@ package org.daybreak.core.accel;
  *
  * Together 2 ε max|o| + 8 ε E is enough; {@link #offset} is twice that. A ray from {@code p ± offset · n} that goes away
  * from the surface therefore meets neither its own triangle nor a coplanar neighbour of similar size. For the same
- * reason the point is kept off the edges of its triangle by a like distance: otherwise the rounded origin may lie
- * beyond a wall that stands on the edge, and the ray would leave a closed room.
+ * reason the point is kept off the edges of its triangle by four times that distance: otherwise the moved and rounded
+ * origin may lie beyond a wall that stands on the edge, and the ray would leave a closed room. (Walls that meet at less
+ * than some 15 degrees can still be crossed.)
  *
  * <p>Quadrics are tested in double precision; 2⁻⁴⁴ takes the place of ε. In instances the error arises in the space of
  * the level; a distance between planes there becomes the distance divided by |Mᵀn|, M the linear part of the map from
- * world to object.
+ * world to object. A step along the world's normal is no step along the normal there if M shears: for each unit off the
+ * plane it goes up to |M Mᵀn| / |Mᵀn|² along it, so that the distance from edges grows by this factor.
  */
 public final class HitRefinement {
     private static final double FLOAT_EPSILON = 0x1p-24;
     private static final double DOUBLE_EPSILON = 0x1p-44;
     private static final double POSITION_FACTOR = 4;
     private static final double EXTENT_FACTOR = 16;
+    private static final double INSET_FACTOR = 4;
 
     /** Farthest that a hit is kept off an edge, as a barycentric coordinate. */
     private static final double MOST_INSET = 1.0 / 16;
@@ -59,6 +64,7 @@ public final class HitRefinement {
     public double offset;
 
     private final Ray local = new Ray();
+    private @Nullable Instance within;
     private final float[] corners = new float[9];
 
     /**
@@ -74,9 +80,11 @@ public final class HitRefinement {
             return;
         }
         Instance instance = set.instance(ray.instance);
+        within = instance;
         instance.toObject(ray, local);
         local.t = ray.t;
         refineInLevel(level, ray.primitive, local);
+        within = null;
         toWorld(instance);
     }
 
@@ -140,7 +148,11 @@ public final class HitRefinement {
         double magnitude = Math.max(
                 Math.abs(ray.ox + ray.t * ray.dx),
                 Math.max(Math.abs(ray.oy + ray.t * ray.dy), Math.abs(ray.oz + ray.t * ray.dz)));
-        double inset = FLOAT_EPSILON * (POSITION_FACTOR * magnitude + EXTENT_FACTOR * extent) * extent / doubleArea;
+        double inset = INSET_FACTOR
+                * FLOAT_EPSILON
+                * (POSITION_FACTOR * magnitude + EXTENT_FACTOR * extent)
+                * (extent / doubleArea)
+                * slide(normalX, normalY, normalZ);
         setInside(second, third, Math.min(MOST_INSET, inset));
         x = ax + u * e1x + v * e2x;
         y = ay + u * e1y + v * e2y;
@@ -148,6 +160,21 @@ public final class HitRefinement {
         setParameter(ray);
         magnitude = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
         offset = FLOAT_EPSILON * (POSITION_FACTOR * magnitude + EXTENT_FACTOR * extent);
+    }
+
+    /** How far a step along the world's normal goes along a plane of the level for each unit off it; at least 1. */
+    private double slide(double nx, double ny, double nz) {
+        Instance i = within;
+        if (i == null) {
+            return 1;
+        }
+        double wx = i.worldToObject(0) * nx + i.worldToObject(4) * ny + i.worldToObject(8) * nz;
+        double wy = i.worldToObject(1) * nx + i.worldToObject(5) * ny + i.worldToObject(9) * nz;
+        double wz = i.worldToObject(2) * nx + i.worldToObject(6) * ny + i.worldToObject(10) * nz;
+        double ox = i.worldToObject(0) * wx + i.worldToObject(1) * wy + i.worldToObject(2) * wz;
+        double oy = i.worldToObject(4) * wx + i.worldToObject(5) * wy + i.worldToObject(6) * wz;
+        double oz = i.worldToObject(8) * wx + i.worldToObject(9) * wy + i.worldToObject(10) * wz;
+        return Math.sqrt(ox * ox + oy * oy + oz * oz) / (wx * wx + wy * wy + wz * wz);
     }
 
     /** Length of the longest edge along an axis. */

@@ -199,9 +199,9 @@ final class ScalarIntersector implements Intersector {
                     if (hit1) {
                         if (near1 < near0) {
                             reference = ref1;
-                            stack[sp++] = (long) Float.floatToRawIntBits(near0) << 32 | ref0 & 0xffffffffL;
+                            stack[sp++] = (long) Float.floatToRawIntBits(near0) << 32 | (ref0 & 0xffffffffL);
                         } else {
-                            stack[sp++] = (long) Float.floatToRawIntBits(near1) << 32 | ref1 & 0xffffffffL;
+                            stack[sp++] = (long) Float.floatToRawIntBits(near1) << 32 | (ref1 & 0xffffffffL);
                         }
                     }
                     continue;

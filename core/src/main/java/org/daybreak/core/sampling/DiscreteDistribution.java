@@ -7,7 +7,7 @@ package org.daybreak.core.sampling;
  * left of that number can be used again.
  */
 public final class DiscreteDistribution {
-    private final double[] cumulative;
+    private final Cumulative cumulative;
     private final double total;
 
     /**
@@ -20,16 +20,16 @@ public final class DiscreteDistribution {
         if (weights.length == 0) {
             throw new IllegalArgumentException("a distribution needs at least one weight");
         }
-        cumulative = new double[weights.length + 1];
+        cumulative = new Cumulative(weights.length, 1);
         for (int i = 0; i < weights.length; i++) {
-            cumulative[i + 1] = weights[i];
+            cumulative.setWeight(0, i, weights[i]);
         }
-        total = Cumulative.accumulate(cumulative, 0, weights.length);
+        total = cumulative.accumulate(0);
     }
 
     /** How many indices there are. */
     public int size() {
-        return cumulative.length - 1;
+        return cumulative.size();
     }
 
     /** The sum of the weights. */
@@ -39,16 +39,16 @@ public final class DiscreteDistribution {
 
     /** The index of a number in [0, 1). Its probability is positive. */
     public int sample(double u) {
-        return Cumulative.find(cumulative, 0, size(), u);
+        return cumulative.find(0, u);
     }
 
     /** The probability with which {@link #sample} returns an index. */
     public double probability(int index) {
-        return cumulative[index + 1] - cumulative[index];
+        return cumulative.probability(0, index);
     }
 
     /** The position of u within the share of the index that {@link #sample} chose for it: uniform in [0, 1) again. */
     public double remainder(double u, int index) {
-        return Cumulative.remainder(cumulative, index, u);
+        return cumulative.remainder(0, index, u);
     }
 }

@@ -10,9 +10,9 @@ public final class PiecewiseConstant2D {
     private final int width;
     private final int height;
     /** Cumulative distribution of the rows. */
-    private final double[] marginal;
-    /** Cumulative distributions of the columns, one segment of width + 1 entries per row. */
-    private final double[] conditional;
+    private final Cumulative marginal;
+    /** Cumulative distributions of the columns, one for each row. */
+    private final Cumulative conditional;
 
     private final double average;
 
@@ -35,20 +35,19 @@ public final class PiecewiseConstant2D {
         }
         this.width = width;
         this.height = height;
-        marginal = new double[height + 1];
-        conditional = new double[(width + 1) * height];
+        marginal = new Cumulative(height, 1);
+        conditional = new Cumulative(width, height);
         for (int row = 0; row < height; row++) {
-            int offset = row * (width + 1);
             for (int column = 0; column < width; column++) {
-                conditional[offset + 1 + column] = weights.weight(column, row);
+                conditional.setWeight(row, column, weights.weight(column, row));
             }
             try {
-                marginal[row + 1] = Cumulative.accumulate(conditional, offset, width);
+                marginal.setWeight(0, row, conditional.accumulate(row));
             } catch (IllegalArgumentException e) {
                 throw new IllegalArgumentException("row " + row + ": " + e.getMessage(), e);
             }
         }
-        average = Cumulative.accumulate(marginal, 0, height) / width / height;
+        average = marginal.accumulate(0) / width / height;
     }
 
     /** The mean of the weights: the integral over the unit square of the function that they describe. */
@@ -65,11 +64,10 @@ public final class PiecewiseConstant2D {
      * @return the density at the point, per unit of the square's area; positive
      */
     public double sample(double u, double v, double[] dest) {
-        int row = Cumulative.find(marginal, 0, height, v);
-        int offset = row * (width + 1);
-        int column = Cumulative.find(conditional, offset, width, u);
-        dest[0] = position(column, Cumulative.remainder(conditional, offset + column, u), width);
-        dest[1] = position(row, Cumulative.remainder(marginal, row, v), height);
+        int row = marginal.find(0, v);
+        int column = conditional.find(row, u);
+        dest[0] = position(column, conditional.remainder(row, column, u), width);
+        dest[1] = position(row, marginal.remainder(0, row, v), height);
         return cellDensity(column, row);
     }
 
@@ -79,8 +77,7 @@ public final class PiecewiseConstant2D {
     }
 
     private double cellDensity(int column, int row) {
-        int entry = row * (width + 1) + column;
-        return (marginal[row + 1] - marginal[row]) * height * (conditional[entry + 1] - conditional[entry]) * width;
+        return marginal.probability(0, row) * height * conditional.probability(row, column) * width;
     }
 
     private static double position(int cell, double remainder, int cells) {

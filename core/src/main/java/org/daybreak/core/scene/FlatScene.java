@@ -3,7 +3,6 @@ package org.daybreak.core.scene;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import org.daybreak.core.math.Transform;
 
 /**
@@ -33,8 +32,8 @@ final class FlatScene {
     final List<PlacedLight> lights = new ArrayList<>();
     final List<PlacedPrototype> instances = new ArrayList<>();
 
-    private final Map<Group, Prototype> prototypes = new IdentityHashMap<>();
-    private final Map<Group, Boolean> open = new IdentityHashMap<>();
+    private final IdentityHashMap<Group, Prototype> prototypes = new IdentityHashMap<>();
+    private final IdentityHashMap<Group, Boolean> open = new IdentityHashMap<>();
 
     private FlatScene() {}
 

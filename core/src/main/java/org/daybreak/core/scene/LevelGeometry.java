@@ -107,7 +107,7 @@ final class LevelGeometry {
             hit.v = w;
         }
         float[] n = normals;
-        if (n == null || n[3 * a] == 0 && n[3 * a + 1] == 0 && n[3 * a + 2] == 0) {
+        if (n == null || (n[3 * a] == 0 && n[3 * a + 1] == 0 && n[3 * a + 2] == 0)) {
             setFrame(hit, hit.gx, hit.gy, hit.gz);
             return;
         }

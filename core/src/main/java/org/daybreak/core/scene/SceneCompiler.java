@@ -3,7 +3,6 @@ package org.daybreak.core.scene;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import org.daybreak.core.accel.Instance;
 import org.daybreak.core.accel.Intersector;
 import org.daybreak.core.accel.IntersectorProvider;
@@ -113,7 +112,7 @@ public final class SceneCompiler {
     private record Levels(Instance[] instances, LevelGeometry[] geometries, PrimitiveSet[] sets) {}
 
     private static Levels buildPrototypes(FlatScene flat, IntersectorProvider provider, int threads, List<Bsdf> bsdfs) {
-        Map<FlatScene.Prototype, BuiltLevel> built = new IdentityHashMap<>();
+        IdentityHashMap<FlatScene.Prototype, BuiltLevel> built = new IdentityHashMap<>();
         for (FlatScene.Prototype prototype : flat.usedPrototypes()) {
             LevelBuilder builder = new LevelBuilder();
             for (FlatScene.PlacedShape shape : prototype.shapes) {

@@ -88,7 +88,8 @@ final class FilmTest {
                     for (int j = 0; j < 8 * n; j++) {
                         double x = (i + 0.5) / n;
                         double y = (j + 0.5) / n;
-                        // At half-integer radii samples fall on the edge of the support: which side does not matter in the limit.
+                        // At half-integer radii samples fall on the edge of the support: which side does not matter in
+                        // the limit.
                         double w = filter.evaluate(x - px - 0.5) * filter.evaluate(y - py - 0.5);
                         picture(x, y, value);
                         sum += w * value.r;
@@ -278,7 +279,17 @@ final class FilmTest {
         film.commit(tile);
         FilmImage image = film.develop();
         assertEquals(
-                List.of("R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "normal.X", "normal.Y", "normal.Z", "depth.Z"),
+                List.of(
+                        "R",
+                        "G",
+                        "B",
+                        "albedo.R",
+                        "albedo.G",
+                        "albedo.B",
+                        "normal.X",
+                        "normal.Y",
+                        "normal.Z",
+                        "depth.Z"),
                 image.channelNames());
         assertEquals(0.25, image.get("albedo.R", 0, 0));
         assertEquals(0.5, image.get("normal.Y", 0, 0));

@@ -66,8 +66,7 @@ final class ReconstructionFilterTest {
     @Test
     void refusesImpossibleNumbers() {
         assertThrows(
-                IllegalArgumentException.class,
-                () -> new ReconstructionFilter(ReconstructionFilter.Kind.TENT, 0.4, 0));
+                IllegalArgumentException.class, () -> new ReconstructionFilter(ReconstructionFilter.Kind.TENT, 0.4, 0));
         assertThrows(
                 IllegalArgumentException.class,
                 () -> new ReconstructionFilter(ReconstructionFilter.Kind.TENT, Double.NaN, 0));

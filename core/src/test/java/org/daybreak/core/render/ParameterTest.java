@@ -23,7 +23,9 @@ final class ParameterTest {
         assertEquals(0.5, values.real("exponent"));
         assertEquals(false, values.flag("jitter"));
         assertEquals("b", values.choice("mode"));
-        assertEquals(List.of("maxDepth", "exponent", "jitter", "mode"), List.copyOf(values.asMap().keySet()));
+        assertEquals(
+                List.of("maxDepth", "exponent", "jitter", "mode"),
+                List.copyOf(values.asMap().keySet()));
         assertEquals(-1, ParameterValues.defaults(PARAMETERS).integer("maxDepth"));
     }
 
@@ -36,7 +38,8 @@ final class ParameterTest {
         assertMessage("mode", "c", "parameter 'mode' is 'c' but must be one of a, b");
         ParameterException e = assertThrows(
                 ParameterException.class, () -> ParameterValues.parse(PARAMETERS, Map.of("maxdept", "3"), "path"));
-        assertTrue(e.getMessage().contains("'path' has no parameter 'maxdept'; did you mean 'maxDepth'?"), e.getMessage());
+        assertTrue(
+                e.getMessage().contains("'path' has no parameter 'maxdept'; did you mean 'maxDepth'?"), e.getMessage());
     }
 
     private static void assertMessage(String name, String text, String message) {

@@ -62,6 +62,33 @@ class DiscreteDistributionTest {
     }
 
     @Test
+    void searchFindsTheShareForEveryLengthAndAtEveryBorder() {
+        RandomStream random = new RandomStream(2, StreamDomain.SELF_CHECK, 0, 0);
+        for (int n = 1; n < 300; n += 1 + n / 20) {
+            double[] weights = new double[n];
+            for (int i = 0; i < n; i++) {
+                // Many zeros, and weights of very different size.
+                weights[i] = random.nextDouble() < 0.4 ? 0 : Math.pow(random.nextDouble(), 20);
+            }
+            weights[n / 2] += 1e-3;
+            DiscreteDistribution distribution = new DiscreteDistribution(weights);
+            double sum = 0;
+            for (int i = 0; i < n; i++) {
+                double probability = distribution.probability(i);
+                if (probability > 0) {
+                    double next = sum + weights[i];
+                    assertEquals(i, distribution.sample(sum / distribution.total()));
+                    assertEquals(i, distribution.sample(Math.nextDown(next / distribution.total())));
+                }
+                sum += weights[i];
+            }
+            for (int k = 0; k < 64; k++) {
+                assertTrue(distribution.probability(distribution.sample(k / 64.0)) > 0);
+            }
+        }
+    }
+
+    @Test
     void zeroWeightsAreUniform() {
         DiscreteDistribution distribution = new DiscreteDistribution(new double[4]);
         assertEquals(0, distribution.total());

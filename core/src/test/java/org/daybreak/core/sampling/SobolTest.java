@@ -6,150 +6,35 @@ import org.junit.jupiter.api.Test;
 
 class SobolTest {
     /**
-     * Index, then the coordinates of 16 dimensions. Produced with SobolSequenceGenerator of Apache Commons Math 3.6.1,
-     * which reads the published file new-joe-kuo-6, at the inverse Gray code of the index.
+     * Index, then the coordinates of 16 dimensions, hexadecimal. Produced with SobolSequenceGenerator of Apache Commons
+     * Math 3.6.1, which reads the published file new-joe-kuo-6, at the inverse Gray code of the index.
      */
-    private static final int[][] REFERENCE = {
-        {
-            1,
-            0x80000000,
-            0x80000000,
-            0x80000000,
-            0x80000000,
-            0x80000000,
-            0x80000000,
-            0x80000000,
-            0x80000000,
-            0x80000000,
-            0x80000000,
-            0x80000000,
-            0x80000000,
-            0x80000000,
-            0x80000000,
-            0x80000000,
-            0x80000000
-        },
-        {
-            2,
-            0x40000000,
-            0xC0000000,
-            0xC0000000,
-            0xC0000000,
-            0x40000000,
-            0x40000000,
-            0xC0000000,
-            0x40000000,
-            0x40000000,
-            0x40000000,
-            0x40000000,
-            0x40000000,
-            0xC0000000,
-            0xC0000000,
-            0x40000000,
-            0xC0000000
-        },
-        {
-            5,
-            0xA0000000,
-            0x20000000,
-            0xE0000000,
-            0xA0000000,
-            0xA0000000,
-            0xE0000000,
-            0x20000000,
-            0x20000000,
-            0x20000000,
-            0x60000000,
-            0x20000000,
-            0xA0000000,
-            0x20000000,
-            0xE0000000,
-            0xA0000000,
-            0xA0000000
-        },
-        {
-            100,
-            0x26000000,
-            0xC6000000,
-            0xB2000000,
-            0xF6000000,
-            0x86000000,
-            0x12000000,
-            0x0A000000,
-            0x96000000,
-            0x1E000000,
-            0xFE000000,
-            0x52000000,
-            0x1A000000,
-            0xCE000000,
-            0xE6000000,
-            0xEE000000,
-            0xA2000000
-        },
-        {
-            1000,
-            0x17C00000,
-            0x29400000,
-            0x73400000,
-            0xE8C00000,
-            0xFE400000,
-            0x29C00000,
-            0x04400000,
-            0xA3C00000,
-            0xFFC00000,
-            0x1F400000,
-            0x3B400000,
-            0xFCC00000,
-            0x23C00000,
-            0xEEC00000,
-            0xE1400000,
-            0x04400000
-        },
-        {
-            65537,
-            0x80008000,
-            0x00008000,
-            0x68808000,
-            0xA08F8000,
-            0xA2878000,
-            0xC8008000,
-            0x46788000,
-            0x9A248000,
-            0x72B28000,
-            0x8A3A8000,
-            0xBE0D8000,
-            0xEE138000,
-            0x95868000,
-            0xFA038000,
-            0xEBA28000,
-            0x55A78000
-        },
-        {
-            123456,
-            0x02478000,
-            0x73598000,
-            0xCA678000,
-            0x52C48000,
-            0xD95A8000,
-            0x8C098000,
-            0x401D8000,
-            0xAF9B8000,
-            0xEFA98000,
-            0x85658000,
-            0x671C8000,
-            0x46B68000,
-            0x9FC38000,
-            0xCE408000,
-            0x42DB8000,
-            0x38C08000
-        },
-    };
+    private static final String REFERENCE = """
+            1 80000000 80000000 80000000 80000000 80000000 80000000 80000000 80000000 \
+              80000000 80000000 80000000 80000000 80000000 80000000 80000000 80000000
+            2 40000000 C0000000 C0000000 C0000000 40000000 40000000 C0000000 40000000 \
+              40000000 40000000 40000000 40000000 C0000000 C0000000 40000000 C0000000
+            5 A0000000 20000000 E0000000 A0000000 A0000000 E0000000 20000000 20000000 \
+              20000000 60000000 20000000 A0000000 20000000 E0000000 A0000000 A0000000
+            100 26000000 C6000000 B2000000 F6000000 86000000 12000000 0A000000 96000000 \
+              1E000000 FE000000 52000000 1A000000 CE000000 E6000000 EE000000 A2000000
+            1000 17C00000 29400000 73400000 E8C00000 FE400000 29C00000 04400000 A3C00000 \
+              FFC00000 1F400000 3B400000 FCC00000 23C00000 EEC00000 E1400000 04400000
+            65537 80008000 00008000 68808000 A08F8000 A2878000 C8008000 46788000 9A248000 \
+              72B28000 8A3A8000 BE0D8000 EE138000 95868000 FA038000 EBA28000 55A78000
+            123456 02478000 73598000 CA678000 52C48000 D95A8000 8C098000 401D8000 AF9B8000 \
+              EFA98000 85658000 671C8000 46B68000 9FC38000 CE408000 42DB8000 38C08000
+            """;
 
     @Test
     void pointsAreThePublishedOnes() {
-        for (int[] row : REFERENCE) {
+        for (String line : REFERENCE.lines().toList()) {
+            String[] row = line.trim().split(" +", -1);
+            int index = Integer.parseInt(row[0]);
+            assertEquals(1 + Sobol.DIMENSIONS, row.length);
             for (int dimension = 0; dimension < Sobol.DIMENSIONS; dimension++) {
-                assertEquals(row[1 + dimension], Sobol.sobol(row[0], dimension), row[0] + ", dimension " + dimension);
+                int expected = Integer.parseUnsignedInt(row[1 + dimension], 16);
+                assertEquals(expected, Sobol.sobol(index, dimension), index + ", dimension " + dimension);
             }
         }
     }

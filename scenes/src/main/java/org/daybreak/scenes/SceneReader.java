@@ -1,0 +1,55 @@
+package org.daybreak.scenes;
+
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import org.daybreak.scenes.build.SceneBuilder;
+import org.daybreak.scenes.description.ProblemList;
+import org.daybreak.scenes.description.SceneDescription;
+import org.daybreak.scenes.description.SceneException;
+import org.daybreak.scenes.description.SourceLocation;
+import org.daybreak.scenes.image.ImageLoader;
+import org.daybreak.scenes.image.StandardImageLoader;
+import org.daybreak.scenes.mitsuba.MitsubaReader;
+
+/**
+ * Reads scene files. Thread-safe if the image loader is; every call stands alone.
+ *
+ * <pre>{@code
+ * SceneFile file = new SceneReader().load(Path.of("scene.xml"), Map.of("spp", "256"));
+ * }</pre>
+ */
+public final class SceneReader {
+    private final ImageLoader images;
+
+    /** Creates a reader that knows the image formats of the JDK. */
+    public SceneReader() {
+        this(new StandardImageLoader());
+    }
+
+    /** Creates a reader with a loader for the images that scenes refer to. */
+    public SceneReader(ImageLoader images) {
+        this.images = images;
+    }
+
+    /**
+     * Reads a scene in the XML format of Mitsuba 3.
+     *
+     * @param file the file; names in it are relative to it
+     * @param defines values for {@code $name} in attributes; they go before {@code <default>} values
+     * @return the scene, what it asks of the renderer, and warnings
+     * @throws SceneException with every error in the file and the files it refers to
+     */
+    public SceneFile load(Path file, Map<String, String> defines) throws SceneException {
+        ProblemList problems = new ProblemList();
+        Optional<SceneDescription> description = MitsubaReader.read(file, defines, problems);
+        if (description.isEmpty()) {
+            problems.throwIfErrors();
+            problems.error(SourceLocation.of(file), "the scene cannot be read");
+            throw new SceneException(problems.errors());
+        }
+        SceneBuilder.Result result = SceneBuilder.build(description.get(), images, problems);
+        problems.throwIfErrors();
+        return new SceneFile(result.graph(), result.request(), problems.warnings());
+    }
+}

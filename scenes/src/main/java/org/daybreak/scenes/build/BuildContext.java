@@ -1,0 +1,171 @@
+package org.daybreak.scenes.build;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.daybreak.scenes.description.ObjectDescription;
+import org.daybreak.scenes.description.ObjectKind;
+import org.daybreak.scenes.description.ProblemList;
+import org.daybreak.scenes.description.PropertyDescription;
+import org.daybreak.scenes.description.SceneDescription;
+import org.daybreak.scenes.description.SourceLocation;
+import org.daybreak.scenes.description.Value;
+import org.daybreak.scenes.image.ImageLoader;
+import org.jspecify.annotations.Nullable;
+
+/** What all builders of one scene share: the description, the problems, images, and which objects are being built. */
+final class BuildContext {
+    /** References could chain objects deeper than any stack. */
+    private static final int NESTING = 64;
+
+    private final SceneDescription description;
+    private final ImageLoader images;
+    private final ProblemList problems;
+    private final Map<ObjectDescription, Properties> checked = new IdentityHashMap<>();
+    private final List<ObjectDescription> building = new ArrayList<>();
+
+    BuildContext(SceneDescription description, ImageLoader images, ProblemList problems) {
+        this.description = description;
+        this.images = images;
+        this.problems = problems;
+    }
+
+    ImageLoader images() {
+        return images;
+    }
+
+    void error(SourceLocation location, String message) {
+        problems.error(location, message);
+    }
+
+    void warning(SourceLocation location, String message) {
+        problems.warning(location, message);
+    }
+
+    ProblemList problems() {
+        return problems;
+    }
+
+    /** The object a value stands for, or null if it is none or, which is reported, a name nothing has. */
+    @Nullable
+    ObjectDescription object(PropertyDescription property) {
+        if (property.value() instanceof Value.Nested nested) {
+            return nested.object();
+        }
+        if (property.value() instanceof Value.Reference reference) {
+            ObjectDescription object = description.ids().get(reference.id());
+            if (object == null) {
+                problems.unknownName(
+                        property.location(),
+                        "no object has the id '" + reference.id() + "'",
+                        reference.id(),
+                        description.ids().keySet());
+            }
+            return object;
+        }
+        return null;
+    }
+
+    /** An object's properties, checked against the table; null if its type is unknown. Errors are reported once. */
+    @Nullable
+    Properties properties(ObjectDescription object) {
+        if (checked.containsKey(object)) {
+            return checked.get(object);
+        }
+        PluginDefinition plugin = Plugins.find(object.kind(), object.type());
+        Properties properties = null;
+        if (plugin == null) {
+            Map<String, PluginDefinition> known = new TreeMap<>(Plugins.ofKind(object.kind()));
+            problems.unknownName(
+                    object.location(),
+                    object.kind().element() + " type '" + object.type() + "' is not supported",
+                    object.type(),
+                    known.keySet());
+        } else {
+            properties = new Properties(object, plugin, this);
+        }
+        checked.put(object, properties);
+        return properties;
+    }
+
+    /**
+     * Builds an object that may contain others by reference.
+     *
+     * @return what the builder returns, or null if the object contains itself or nests too deep, which is reported
+     */
+    <T> @Nullable T build(ObjectDescription object, SourceLocation usedAt, Supplier<@Nullable T> builder) {
+        for (ObjectDescription outer : building) {
+            if (outer == object) {
+                error(usedAt, "the object with the id '" + object.id() + "' contains itself");
+                return null;
+            }
+        }
+        if (building.size() == NESTING) {
+            error(usedAt, "objects are nested more than " + NESTING + " levels deep");
+            return null;
+        }
+        building.add(object);
+        try {
+            return builder.get();
+        } finally {
+            building.remove(building.size() - 1);
+        }
+    }
+
+    /**
+     * Finds a file: beside the scene file that names it, else beside the main scene file, else in the folders the scene
+     * lists.
+     *
+     * @return the file, or null if it is not there or cannot be read, which is reported
+     */
+    @Nullable
+    Path file(String name, SourceLocation location) {
+        Path found;
+        try {
+            found = location.file().resolveSibling(name);
+            List<Path> others = new ArrayList<>();
+            others.add(description.file().resolveSibling(name));
+            for (Path folder : description.folders()) {
+                others.add(folder.resolve(name));
+            }
+            for (Path other : others) {
+                if (!Files.exists(found)) {
+                    found = Files.exists(other) ? other : found;
+                }
+            }
+        } catch (InvalidPathException e) {
+            error(location, "'" + name + "' is no file name: " + e.getReason());
+            return null;
+        }
+        String problem = null;
+        if (!Files.exists(found)) {
+            problem = "the file " + found + " does not exist";
+        } else if (Files.isDirectory(found)) {
+            problem = found + " is a directory, not a file";
+        } else if (!Files.isReadable(found)) {
+            problem = "the file " + found + " cannot be read: permission denied";
+        } else if (found.toFile().length() == 0) {
+            problem = "the file " + found + " is empty";
+        }
+        if (problem != null) {
+            error(location, problem);
+            return null;
+        }
+        return found;
+    }
+
+    /** The scene's main object. */
+    ObjectDescription root() {
+        return description.root();
+    }
+
+    static String article(ObjectKind kind) {
+        return (kind == ObjectKind.INTEGRATOR || kind == ObjectKind.EMITTER ? "an <" : "a <") + kind.element() + ">";
+    }
+}

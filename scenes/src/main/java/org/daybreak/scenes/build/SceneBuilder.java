@@ -1,0 +1,133 @@
+package org.daybreak.scenes.build;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.OptionalLong;
+import org.daybreak.core.scene.SceneGraph;
+import org.daybreak.scenes.description.ObjectKind;
+import org.daybreak.scenes.description.ProblemList;
+import org.daybreak.scenes.description.SceneDescription;
+import org.daybreak.scenes.image.ImageLoader;
+import org.jspecify.annotations.Nullable;
+
+/** Builds a scene graph from a description. */
+public final class SceneBuilder {
+    /**
+     * What a description amounts to.
+     *
+     * @param graph the scene; incomplete if errors were reported
+     * @param request what the file asks of the renderer
+     */
+    public record Result(SceneGraph graph, RenderSettingsRequest request) {}
+
+    private final BuildContext context;
+    private final SceneGraph graph = new SceneGraph();
+    private final Map<String, String> parameters = new LinkedHashMap<>();
+    private @Nullable String rendererId;
+
+    private SceneBuilder(BuildContext context) {
+        this.context = context;
+    }
+
+    /**
+     * Builds a scene. Goes on after errors to find all of them.
+     *
+     * @param description what the files say
+     * @param images reads textures and environments
+     * @param problems receives all errors and warnings; after an error the result must not be used
+     */
+    public static Result build(SceneDescription description, ImageLoader images, ProblemList problems) {
+        return new SceneBuilder(new BuildContext(description, images, problems)).build();
+    }
+
+    private Result build() {
+        Properties scene = context.properties(context.root());
+        if (scene == null) {
+            throw new IllegalArgumentException("the root of a description must be a scene");
+        }
+        Properties.Child integrator = scene.child(ObjectKind.INTEGRATOR);
+        Properties integratorProperties = integrator == null ? null : context.properties(integrator.object());
+        if (integratorProperties != null) {
+            readIntegrator(integratorProperties);
+        }
+        Properties sampler = buildSensor(scene.children(ObjectKind.SENSOR));
+        buildContent(scene);
+        OptionalInt samples = sampler != null && sampler.has("sample_count")
+                ? OptionalInt.of(sampler.integer("sample_count"))
+                : OptionalInt.empty();
+        OptionalLong seed = sampler != null && sampler.has("seed")
+                ? OptionalLong.of((long) sampler.number("seed"))
+                : OptionalLong.empty();
+        return new Result(graph, new RenderSettingsRequest(Optional.ofNullable(rendererId), parameters, samples, seed));
+    }
+
+    private void readIntegrator(Properties p) {
+        if (p.truth("hide_emitters")) {
+            context.error(p.location("hide_emitters"), "'hide_emitters' is not supported: it must be false");
+        }
+        String type = p.object().type();
+        rendererId = type.equals("ptracer") ? "light" : "path";
+        if (type.equals("direct")) {
+            parameters.put(RenderSettingsRequest.MAX_DEPTH, "2");
+            return;
+        }
+        if (p.has("max_depth")) {
+            if (p.integer("max_depth") == 0) {
+                context.error(p.location("max_depth"), "'max_depth' must be -1 for unlimited or at least 1 but is 0");
+            }
+            parameters.put(RenderSettingsRequest.MAX_DEPTH, Integer.toString(p.integer("max_depth")));
+        }
+        if (p.has("rr_depth")) {
+            parameters.put(RenderSettingsRequest.ROULETTE_DEPTH, Integer.toString(p.integer("rr_depth")));
+        }
+    }
+
+    /** Builds the first camera and checks the others. Returns the sampler's properties, if there are any. */
+    private @Nullable Properties buildSensor(List<Properties.Child> sensors) {
+        Properties sampler = null;
+        SensorBuilder builder = new SensorBuilder(context);
+        for (int i = 0; i < sensors.size(); i++) {
+            Properties.Child sensor = sensors.get(i);
+            Properties p = builder.build(sensor.object(), i == 0 ? graph : new SceneGraph());
+            Properties.Child child = p == null ? null : p.child(ObjectKind.SAMPLER);
+            Properties samplerProperties = child == null ? null : context.properties(child.object());
+            if (i == 0) {
+                sampler = samplerProperties;
+            } else {
+                context.warning(sensor.location(), "only the first camera of a scene is used");
+            }
+        }
+        return sampler;
+    }
+
+    /** Builds shapes, lights, and also materials and textures that nothing uses, so that their errors are found too. */
+    private void buildContent(Properties scene) {
+        TextureBuilder textures = new TextureBuilder(context);
+        BsdfBuilder bsdfs = new BsdfBuilder(context, textures);
+        ShapeBuilder shapes = new ShapeBuilder(context, textures, bsdfs);
+        LightBuilder lights = new LightBuilder(context, textures);
+        for (Properties.Child child : scene.children(ObjectKind.TEXTURE)) {
+            textures.texture(child.object(), child.location());
+        }
+        for (Properties.Child child : scene.children(ObjectKind.BSDF)) {
+            bsdfs.bsdf(child.object(), child.location());
+        }
+        for (Properties.Child child : scene.children(ObjectKind.EMITTER)) {
+            // Shapes may refer to an area light that stands in the scene under a name.
+            if (!child.object().type().equals("area") || child.object().id() == null) {
+                lights.addTo(graph.root(), child.object());
+            } else {
+                context.properties(child.object());
+            }
+        }
+        for (Properties.Child child : scene.children(ObjectKind.SHAPE)) {
+            shapes.addTo(graph.root(), child.object(), child.location());
+        }
+        if (shapes.lights() == 0 && scene.children(ObjectKind.EMITTER).isEmpty()) {
+            context.warning(scene.location(), "the scene has no light; the picture will be black");
+        }
+    }
+}

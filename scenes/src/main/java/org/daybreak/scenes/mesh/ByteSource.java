@@ -1,0 +1,301 @@
+package org.daybreak.scenes.mesh;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+
+/**
+ * A buffered reader of bytes, text tokens and numbers that counts lines. One class for text and binary, as PLY files change
+ * from one to the other.
+ */
+final class ByteSource implements Closeable {
+    private static final int CAPACITY = 1 << 18;
+    private static final int LONGEST_TOKEN = 1 << 12;
+
+    /** Powers of ten that are exact in double precision. */
+    private static final double[] POWERS = powers();
+
+    private final InputStream stream;
+    private final byte[] buffer = new byte[CAPACITY];
+    private int position;
+    private int limit;
+    private int line = 1;
+    private final byte[] token = new byte[LONGEST_TOKEN];
+    private int tokenLength;
+
+    ByteSource(InputStream stream) {
+        this.stream = stream;
+    }
+
+    @Override
+    public void close() throws IOException {
+        stream.close();
+    }
+
+    /** Line the next byte is on, from 1. */
+    int line() {
+        return line;
+    }
+
+    /** The next byte as 0 to 255 without consuming it, -1 at the end. */
+    int peek() throws IOException {
+        if (position == limit && !fill(1)) {
+            return -1;
+        }
+        return buffer[position] & 0xff;
+    }
+
+    /** Consumes and returns the next byte as 0 to 255, -1 at the end. */
+    int next() throws IOException {
+        if (position == limit && !fill(1)) {
+            return -1;
+        }
+        int b = buffer[position++] & 0xff;
+        if (b == '\n') {
+            line++;
+        }
+        return b;
+    }
+
+    /** Skips the rest of the line with its end. */
+    void skipLine() throws IOException {
+        int b = next();
+        while (b != '\n' && b != -1) {
+            b = next();
+        }
+    }
+
+    /** Skips blanks but not line ends, other than those that a backslash joins. Returns the byte that follows. */
+    int skipBlanks() throws IOException {
+        while (true) {
+            int b = peek();
+            if (b == ' ' || b == '\t' || b == '\r') {
+                position++;
+            } else if (b == '\\' && joinsLines()) {
+                next();
+                while (next() != '\n') {
+                    continue;
+                }
+            } else {
+                return b;
+            }
+        }
+    }
+
+    private boolean joinsLines() throws IOException {
+        if (limit - position < 3) {
+            fill(3);
+        }
+        int after = position + 1;
+        if (after < limit && buffer[after] == '\r') {
+            after++;
+        }
+        return after < limit && buffer[after] == '\n';
+    }
+
+    /** Skips blanks and line ends. Returns the byte that follows. */
+    int skipSpace() throws IOException {
+        while (true) {
+            int b = skipBlanks();
+            if (b != '\n') {
+                return b;
+            }
+            next();
+        }
+    }
+
+    /** Reads up to the next blank, line end or given byte. The token may be empty. */
+    private void readToken(int stop) throws IOException {
+        tokenLength = 0;
+        while (true) {
+            int b = peek();
+            if (b <= ' ' || b == stop) {
+                return;
+            }
+            if (tokenLength == LONGEST_TOKEN) {
+                throw new MeshFormatException(line, "a word is longer than " + LONGEST_TOKEN + " characters");
+            }
+            token[tokenLength++] = (byte) b;
+            position++;
+        }
+    }
+
+    /** Reads a word. Empty at the end of the line or file. */
+    String word() throws IOException {
+        readToken(-1);
+        return tokenText();
+    }
+
+    private String tokenText() {
+        return new String(token, 0, tokenLength, StandardCharsets.ISO_8859_1);
+    }
+
+    /**
+     * Reads a finite number.
+     *
+     * @param what what the number is, for messages
+     */
+    double number(String what) throws IOException {
+        readToken(-1);
+        double value = parse();
+        if (Double.isNaN(value)) {
+            throw new MeshFormatException(
+                    line,
+                    tokenLength == 0 ? what + " is missing" : what + " '" + tokenText() + "' is not a finite number");
+        }
+        return value;
+    }
+
+    /**
+     * Reads a whole number that ends at a blank, a line end or a given byte.
+     *
+     * @param what what the number is, for messages
+     */
+    long wholeNumber(String what, int stop) throws IOException {
+        readToken(stop);
+        int i = 0;
+        boolean negative = false;
+        if (i < tokenLength && (token[i] == '-' || token[i] == '+')) {
+            negative = token[i++] == '-';
+        }
+        long value = 0;
+        int first = i;
+        while (i < tokenLength && token[i] >= '0' && token[i] <= '9' && i - first < 18) {
+            value = 10 * value + token[i++] - '0';
+        }
+        if (i == first || i < tokenLength) {
+            throw new MeshFormatException(
+                    line,
+                    tokenLength == 0 ? what + " is missing" : what + " '" + tokenText() + "' is not a whole number");
+        }
+        return negative ? -value : value;
+    }
+
+    /** The number in the token, NaN if it is none or not finite. Exact products and quotients first, the JDK's parser otherwise. */
+    private double parse() {
+        int i = 0;
+        boolean negative = false;
+        if (i < tokenLength && (token[i] == '-' || token[i] == '+')) {
+            negative = token[i++] == '-';
+        }
+        long mantissa = 0;
+        int digits = 0;
+        int exponent = 0;
+        boolean point = false;
+        for (; i < tokenLength; i++) {
+            int c = token[i];
+            if (c >= '0' && c <= '9') {
+                if (digits == 18) {
+                    return parseSlowly();
+                }
+                mantissa = 10 * mantissa + c - '0';
+                digits++;
+                if (point) {
+                    exponent--;
+                }
+            } else if (c == '.' && !point) {
+                point = true;
+            } else {
+                break;
+            }
+        }
+        if (digits == 0) {
+            return Double.NaN;
+        }
+        if (i < tokenLength || mantissa >= 1L << 53 || exponent < -22) {
+            return parseSlowly();
+        }
+        double value = mantissa / POWERS[-exponent];
+        return negative ? -value : value;
+    }
+
+    private double parseSlowly() {
+        for (int i = 0; i < tokenLength; i++) {
+            int c = token[i];
+            if (!(c >= '0' && c <= '9' || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E')) {
+                return Double.NaN;
+            }
+        }
+        try {
+            double value = Double.parseDouble(tokenText());
+            return Double.isInfinite(value) ? Double.NaN : value;
+        } catch (NumberFormatException e) {
+            return Double.NaN;
+        }
+    }
+
+    /** The next byte of binary data. */
+    int uint8() throws IOException {
+        require(1);
+        return buffer[position++] & 0xff;
+    }
+
+    /** The next two bytes of binary data. */
+    int uint16(boolean bigEndian) throws IOException {
+        require(2);
+        int a = buffer[position++] & 0xff;
+        int b = buffer[position++] & 0xff;
+        return bigEndian ? a << 8 | b : b << 8 | a;
+    }
+
+    /** The next four bytes of binary data. */
+    int int32(boolean bigEndian) throws IOException {
+        require(4);
+        int p = position;
+        position = p + 4;
+        int little = buffer[p] & 0xff
+                | (buffer[p + 1] & 0xff) << 8
+                | (buffer[p + 2] & 0xff) << 16
+                | (buffer[p + 3] & 0xff) << 24;
+        return bigEndian ? Integer.reverseBytes(little) : little;
+    }
+
+    /** The next eight bytes of binary data. */
+    long int64(boolean bigEndian) throws IOException {
+        long a = int32(bigEndian) & 0xffffffffL;
+        long b = int32(bigEndian) & 0xffffffffL;
+        return bigEndian ? a << 32 | b : b << 32 | a;
+    }
+
+    /** Skips bytes of binary data. */
+    void skip(long bytes) throws IOException {
+        long left = bytes;
+        while (left > 0) {
+            require(1);
+            int step = (int) Math.min(left, limit - position);
+            position += step;
+            left -= step;
+        }
+    }
+
+    private void require(int bytes) throws IOException {
+        if (limit - position < bytes && !fill(bytes)) {
+            throw new MeshFormatException(0, "the file ends in the middle of its data");
+        }
+    }
+
+    /** Tries to have some bytes in the buffer. */
+    private boolean fill(int bytes) throws IOException {
+        System.arraycopy(buffer, position, buffer, 0, limit - position);
+        limit -= position;
+        position = 0;
+        while (limit < bytes) {
+            int n = stream.read(buffer, limit, CAPACITY - limit);
+            if (n < 0) {
+                return false;
+            }
+            limit += n;
+        }
+        return true;
+    }
+
+    private static double[] powers() {
+        double[] p = new double[23];
+        p[0] = 1;
+        for (int i = 1; i < p.length; i++) {
+            p[i] = 10 * p[i - 1];
+        }
+        return p;
+    }
+}

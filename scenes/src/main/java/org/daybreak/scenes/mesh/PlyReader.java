@@ -1,0 +1,298 @@
+package org.daybreak.scenes.mesh;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.daybreak.core.geometry.TriangleMesh;
+import org.daybreak.scenes.mesh.PlyHeader.Element;
+import org.daybreak.scenes.mesh.PlyHeader.Encoding;
+import org.daybreak.scenes.mesh.PlyHeader.Property;
+import org.daybreak.scenes.mesh.PlyHeader.Type;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads PLY files, ASCII and binary of both byte orders: positions, normals ({@code nx ny nz}) and texture coordinates
+ * ({@code u v}, {@code s t} or {@code texture_u texture_v}) of the vertices and the list {@code vertex_indices} (or
+ * {@code vertex_index}) of the faces. Polygons are cut into fans. Other elements and properties are passed over.
+ */
+public final class PlyReader {
+    /** Where a vertex property goes: 0–2 position, 3–5 normal, 6–7 texture coordinates. */
+    private static final List<List<String>> TARGETS = List.of(
+            List.of("x"),
+            List.of("y"),
+            List.of("z"),
+            List.of("nx"),
+            List.of("ny"),
+            List.of("nz"),
+            List.of("u", "s", "texture_u", "texture_s"),
+            List.of("v", "t", "texture_v", "texture_t"));
+
+    private static final List<String> NAMES = List.of("x", "y", "z", "nx", "ny", "nz", "u", "v");
+
+    private final ByteSource source;
+    private final long fileSize;
+    private final boolean flipTexCoords;
+    private final IntList triangles = new IntList();
+    private boolean ascii;
+    private boolean bigEndian;
+    private float @Nullable [] positions;
+    private float @Nullable [] normals;
+    private float @Nullable [] texCoords;
+    private boolean hasFaces;
+
+    private PlyReader(ByteSource source, long fileSize, boolean flipTexCoords) {
+        this.source = source;
+        this.fileSize = fileSize;
+        this.flipTexCoords = flipTexCoords;
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @param flipTexCoords whether v becomes 1 − v
+     * @return the mesh; without normals if the file has none
+     * @throws MeshFormatException with the line where there is one, if the file breaks the format's rules or has no faces
+     * @throws IOException if the file cannot be read
+     */
+    public static TriangleMesh read(Path file, boolean flipTexCoords) throws IOException {
+        try (ByteSource source = new ByteSource(Files.newInputStream(file))) {
+            return new PlyReader(source, Files.size(file), flipTexCoords).read();
+        }
+    }
+
+    private TriangleMesh read() throws IOException {
+        PlyHeader header = PlyHeader.read(source);
+        ascii = header.encoding == Encoding.ASCII;
+        bigEndian = header.encoding == Encoding.BIG_ENDIAN;
+        for (Element element : header.elements) {
+            checkSize(element, header.encoding);
+            switch (element.name()) {
+                case "vertex" -> readVertices(element);
+                case "face" -> readFaces(element);
+                case "tristrips" -> throw new MeshFormatException(element.line(), "triangle strips are not supported");
+                default -> skip(element);
+            }
+        }
+        float[] p = positions;
+        if (p == null) {
+            throw new MeshFormatException(0, "the file has no element 'vertex'");
+        }
+        if (!hasFaces || triangles.size() == 0) {
+            throw new MeshFormatException(0, "the file has no faces");
+        }
+        int[] t = triangles.toArray();
+        checkIndices(t, p.length / 3);
+        return new TriangleMesh(p, t, normals, texCoords);
+    }
+
+    /** Refuses counts that the file is too short for before anything is allocated for them. */
+    private void checkSize(Element element, Encoding encoding) throws MeshFormatException {
+        // The last ASCII number needs no blank after it.
+        long available = encoding == Encoding.ASCII ? fileSize + 1 : fileSize;
+        long size = element.smallestSize(encoding);
+        if (size > 0 && element.count() > available / size) {
+            throw new MeshFormatException(
+                    element.line(),
+                    "the header promises " + element.count() + " elements '" + element.name()
+                            + "' but the file has only " + fileSize + " bytes");
+        }
+    }
+
+    private void readVertices(Element element) throws IOException {
+        if (positions != null) {
+            throw new MeshFormatException(element.line(), "a second element 'vertex'");
+        }
+        if (element.count() > Integer.MAX_VALUE / 3 - 8) {
+            throw new MeshFormatException(element.line(), "more vertices than an array can hold");
+        }
+        List<Property> properties = element.properties();
+        int[] targets = new int[properties.size()];
+        boolean[] present = new boolean[NAMES.size()];
+        for (int i = 0; i < targets.length; i++) {
+            targets[i] =
+                    properties.get(i).isList() ? -1 : target(properties.get(i).name());
+            if (targets[i] >= 0) {
+                if (present[targets[i]]) {
+                    throw new MeshFormatException(
+                            element.line(), "the vertices have '" + NAMES.get(targets[i]) + "' twice");
+                }
+                present[targets[i]] = true;
+            }
+        }
+        for (int k = 0; k < 3; k++) {
+            if (!present[k]) {
+                throw new MeshFormatException(element.line(), "the vertices have no property '" + NAMES.get(k) + "'");
+            }
+        }
+        int count = (int) element.count();
+        float[] p = new float[3 * count];
+        float @Nullable [] n = present[3] && present[4] && present[5] ? new float[3 * count] : null;
+        float @Nullable [] uv = present[6] && present[7] ? new float[2 * count] : null;
+        for (int vertex = 0; vertex < count; vertex++) {
+            for (int i = 0; i < targets.length; i++) {
+                int target = targets[i];
+                if (target < 0) {
+                    skip(properties.get(i));
+                } else {
+                    float value = real(properties.get(i).type(), target, vertex);
+                    if (target < 3) {
+                        p[3 * vertex + target] = value;
+                    } else if (target < 6) {
+                        if (n != null) {
+                            n[3 * vertex + target - 3] = value;
+                        }
+                    } else if (uv != null) {
+                        uv[2 * vertex + target - 6] = target == 7 && flipTexCoords ? 1 - value : value;
+                    }
+                }
+            }
+        }
+        positions = p;
+        normals = n;
+        texCoords = uv;
+    }
+
+    private static int target(String name) {
+        for (int i = 0; i < TARGETS.size(); i++) {
+            if (TARGETS.get(i).contains(name)) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    private float real(Type type, int target, int vertex) throws IOException {
+        float value;
+        if (ascii) {
+            source.skipSpace();
+            value = (float) source.number(NAMES.get(target) + " of vertex " + vertex);
+        } else {
+            value = (float) binary(type);
+        }
+        if (!Float.isFinite(value)) {
+            throw new MeshFormatException(
+                    ascii ? source.line() : 0, NAMES.get(target) + " of vertex " + vertex + " is not a finite number");
+        }
+        return value;
+    }
+
+    private void readFaces(Element element) throws IOException {
+        hasFaces = true;
+        List<Property> properties = element.properties();
+        int indices = -1;
+        for (int i = 0; i < properties.size(); i++) {
+            Property p = properties.get(i);
+            if (p.isList() && (p.name().equals("vertex_indices") || p.name().equals("vertex_index"))) {
+                indices = i;
+            }
+        }
+        if (indices < 0) {
+            throw new MeshFormatException(element.line(), "the faces have no list 'vertex_indices'");
+        }
+        Property list = properties.get(indices);
+        if (!list.type().isInteger()) {
+            throw new MeshFormatException(element.line(), "the list 'vertex_indices' must be of an integer type");
+        }
+        for (long face = 0; face < element.count(); face++) {
+            for (int i = 0; i < properties.size(); i++) {
+                if (i == indices) {
+                    readPolygon(list, face);
+                } else {
+                    skip(properties.get(i));
+                }
+            }
+        }
+    }
+
+    private void readPolygon(Property list, long face) throws IOException {
+        long corners = whole(list.countType(), "the number of vertices of a face");
+        if (corners < 3) {
+            throw new MeshFormatException(
+                    ascii ? source.line() : 0, "face " + face + " has " + corners + " vertices but needs at least 3");
+        }
+        int fan = index(list, face);
+        int previous = index(list, face);
+        for (long i = 2; i < corners; i++) {
+            int vertex = index(list, face);
+            triangles.add(fan);
+            triangles.add(previous);
+            triangles.add(vertex);
+            previous = vertex;
+        }
+    }
+
+    private int index(Property list, long face) throws IOException {
+        long index = whole(list.type(), "a vertex index");
+        float[] p = positions;
+        // Faces may come before the vertices; then the check follows at the end.
+        if (index < 0 || index > Integer.MAX_VALUE || p != null && index >= p.length / 3) {
+            throw new MeshFormatException(
+                    ascii ? source.line() : 0,
+                    "face " + face + " refers to vertex " + index
+                            + (p == null ? "" : " but there are " + p.length / 3));
+        }
+        return (int) index;
+    }
+
+    private static void checkIndices(int[] indices, int vertices) throws MeshFormatException {
+        for (int i = 0; i < indices.length; i++) {
+            if (indices[i] >= vertices) {
+                throw new MeshFormatException(
+                        0, "triangle " + i / 3 + " refers to vertex " + indices[i] + " but there are " + vertices);
+            }
+        }
+    }
+
+    private void skip(Element element) throws IOException {
+        if (element.properties().isEmpty()) {
+            return;
+        }
+        for (long i = 0; i < element.count(); i++) {
+            for (Property p : element.properties()) {
+                skip(p);
+            }
+        }
+    }
+
+    private void skip(Property property) throws IOException {
+        long values = 1;
+        if (property.isList()) {
+            values = whole(property.countType(), "the length of a list");
+            if (values < 0) {
+                throw new MeshFormatException(ascii ? source.line() : 0, "a list has a negative length");
+            }
+        }
+        if (!ascii) {
+            source.skip(values * property.type().bytes);
+            return;
+        }
+        for (long i = 0; i < values; i++) {
+            if (source.skipSpace() == -1) {
+                throw new MeshFormatException(source.line(), "the file ends in the middle of its data");
+            }
+            source.word();
+        }
+    }
+
+    private long whole(Type type, String what) throws IOException {
+        if (!ascii) {
+            return (long) binary(type);
+        }
+        source.skipSpace();
+        return source.wholeNumber(what, -1);
+    }
+
+    private double binary(Type type) throws IOException {
+        return switch (type) {
+            case INT8 -> (byte) source.uint8();
+            case UINT8 -> source.uint8();
+            case INT16 -> (short) source.uint16(bigEndian);
+            case UINT16 -> source.uint16(bigEndian);
+            case INT32 -> source.int32(bigEndian);
+            case UINT32 -> source.int32(bigEndian) & 0xffffffffL;
+            case FLOAT32 -> Float.intBitsToFloat(source.int32(bigEndian));
+            case FLOAT64 -> Double.longBitsToDouble(source.int64(bigEndian));
+        };
+    }
+}

@@ -1,0 +1,541 @@
+package org.daybreak.scenes.mitsuba;
+
+import java.io.StringReader;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import javax.vecmath.Matrix4d;
+import javax.xml.stream.Location;
+import javax.xml.stream.XMLInputFactory;
+import javax.xml.stream.XMLStreamConstants;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamReader;
+import org.daybreak.core.render.NearestName;
+import org.daybreak.scenes.description.ObjectDescription;
+import org.daybreak.scenes.description.ObjectKind;
+import org.daybreak.scenes.description.ProblemList;
+import org.daybreak.scenes.description.PropertyDescription;
+import org.daybreak.scenes.description.SourceLocation;
+import org.daybreak.scenes.description.Value;
+import org.daybreak.scenes.mitsuba.Numbers.FormatException;
+import org.jspecify.annotations.Nullable;
+
+/** Parses one XML file. */
+final class XmlFileParser {
+    private static final int ELEMENT_DEPTH = 64;
+    private static final TreeSet<String> ELEMENTS = elements();
+
+    private final MitsubaReader reader;
+    private final ProblemList problems;
+    private final Path file;
+    private final String text;
+    private final StartTagLocator locator;
+    private final XMLStreamReader xml;
+    private int depth;
+
+    XmlFileParser(MitsubaReader reader, Path file, String text) {
+        this.reader = reader;
+        this.problems = reader.problems();
+        this.file = file;
+        this.text = text;
+        this.locator = new StartTagLocator(text);
+        XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
+        factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
+        factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
+        factory.setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false);
+        try {
+            // A byte order mark has gone with the decoding, and the declared encoding no longer matters.
+            this.xml = factory.createXMLStreamReader(new StringReader(text));
+        } catch (XMLStreamException e) {
+            throw new IllegalStateException("the XML parser cannot be created", e);
+        }
+    }
+
+    private static TreeSet<String> elements() {
+        TreeSet<String> names = new TreeSet<>(List.of(
+                "boolean",
+                "integer",
+                "float",
+                "string",
+                "point",
+                "vector",
+                "rgb",
+                "srgb",
+                "spectrum",
+                "transform",
+                "ref",
+                "include",
+                "default",
+                "alias",
+                "path"));
+        for (ObjectKind kind : ObjectKind.values()) {
+            if (kind != ObjectKind.SCENE) {
+                names.add(kind.element());
+            }
+        }
+        return names;
+    }
+
+    /** Parses the file: its root as a single nested object, or an included scene's content. */
+    List<PropertyDescription> parse(boolean main) {
+        try {
+            List<PropertyDescription> result = parseRoot(main);
+            while (xml.hasNext()) {
+                checkEvent(xml.next());
+            }
+            return result;
+        } catch (XMLStreamException e) {
+            reader.setBroken();
+            Location at = e.getLocation();
+            SourceLocation location = at == null
+                    ? SourceLocation.of(file)
+                    : new SourceLocation(file, at.getLineNumber(), at.getColumnNumber());
+            problems.error(location, "the XML is not well-formed: " + reason(e));
+            return List.of();
+        } catch (StopException e) {
+            reader.setBroken();
+            problems.error(e.location, String.valueOf(e.getMessage()));
+            return List.of();
+        }
+    }
+
+    /** The file cannot be parsed further. */
+    private static final class StopException extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        private final transient SourceLocation location;
+
+        StopException(SourceLocation location, String message) {
+            super(message);
+            this.location = location;
+        }
+    }
+
+    private static String reason(XMLStreamException e) {
+        String message = String.valueOf(e.getMessage());
+        int start = message.indexOf("Message: ");
+        return (start < 0 ? message : message.substring(start + 9))
+                .replaceAll("\\s+", " ")
+                .strip();
+    }
+
+    private List<PropertyDescription> parseRoot(boolean main) throws XMLStreamException {
+        while (checkEvent(xml.next()) != XMLStreamConstants.START_ELEMENT) {
+            continue;
+        }
+        SourceLocation location = enter();
+        String element = xml.getLocalName();
+        ObjectKind kind = MitsubaReader.kind(element);
+        if (kind == null || main && kind != ObjectKind.SCENE) {
+            throw new StopException(location, "the root of a scene file must be <scene> but is <" + element + ">");
+        }
+        Map<String, String> attributes = attributes(location);
+        checkVersion(attributes.remove("version"), location);
+        ObjectDescription root = readObject(kind, attributes, location);
+        if (root == null) {
+            return List.of();
+        }
+        if (kind == ObjectKind.SCENE && !main) {
+            return root.properties();
+        }
+        return List.of(new PropertyDescription("", new Value.Nested(root), location));
+    }
+
+    private void checkVersion(@Nullable String version, SourceLocation location) {
+        if (version == null) {
+            problems.warning(location, "the root element has no attribute 'version'; 3.0.0 is assumed");
+        } else if (!version.matches("\\d{1,5}\\.\\d{1,5}\\.\\d{1,5}")) {
+            problems.error(location, "the version '" + Numbers.shortened(version) + "' is not of the form 3.0.0");
+        } else if (version.startsWith("0.") || version.startsWith("1.")) {
+            problems.error(
+                    location,
+                    "the scene is of version " + version + "; only versions 2 and 3 of the format can be read");
+        }
+    }
+
+    /** Notes a start tag and returns where it is. */
+    private SourceLocation enter() {
+        locator.advance();
+        SourceLocation location = new SourceLocation(file, locator.line(), locator.column());
+        if (++depth > ELEMENT_DEPTH) {
+            throw new StopException(location, "elements are nested more than " + ELEMENT_DEPTH + " levels deep");
+        }
+        return location;
+    }
+
+    /** Refuses events that a scene file must not have; returns the event. */
+    private int checkEvent(int event) {
+        switch (event) {
+            case XMLStreamConstants.DTD -> {
+                int at = Math.max(0, text.indexOf("<!DOCTYPE"));
+                int line = 1
+                        + (int) text.substring(0, at)
+                                .chars()
+                                .filter(c -> c == '\n')
+                                .count();
+                int column = at - text.lastIndexOf('\n', Math.max(0, at - 1));
+                throw new StopException(
+                        new SourceLocation(file, line, at == 0 ? 1 : column),
+                        "a document type (DOCTYPE) is not allowed");
+            }
+            case XMLStreamConstants.ENTITY_REFERENCE -> throw new StopException(here(), "an entity is not allowed");
+            case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> {
+                String content = xml.getText().strip();
+                if (!content.isEmpty()) {
+                    problems.error(here(), "unexpected text '" + Numbers.shortened(content) + "'");
+                }
+            }
+            case XMLStreamConstants.END_ELEMENT -> depth--;
+            default -> {
+                return event;
+            }
+        }
+        return event;
+    }
+
+    private SourceLocation here() {
+        Location at = xml.getLocation();
+        return new SourceLocation(file, Math.max(1, at.getLineNumber()), 0);
+    }
+
+    private Map<String, String> attributes(SourceLocation location) {
+        Map<String, String> attributes = new LinkedHashMap<>();
+        for (int i = 0; i < xml.getAttributeCount(); i++) {
+            String value = reader.definitions().substitute(xml.getAttributeValue(i), location, problems);
+            attributes.put(xml.getAttributeLocalName(i), value);
+        }
+        return attributes;
+    }
+
+    /** Reports attributes that the element does not have and required ones that are missing; true if all required are there. */
+    private boolean check(
+            String element,
+            Map<String, String> attributes,
+            SourceLocation location,
+            List<String> required,
+            List<String> optional) {
+        TreeSet<String> known = new TreeSet<>(required);
+        known.addAll(optional);
+        for (String name : attributes.keySet()) {
+            if (!known.contains(name)) {
+                problems.unknownName(location, "<" + element + "> has no attribute '" + name + "'", name, known);
+            }
+        }
+        boolean complete = true;
+        for (String name : required) {
+            if (!attributes.containsKey(name)) {
+                problems.error(location, "<" + element + "> needs the attribute '" + name + "'");
+                complete = false;
+            }
+        }
+        return complete;
+    }
+
+    /** Reads an object up to its end tag; null if it has no type, which is reported. */
+    private @Nullable ObjectDescription readObject(
+            ObjectKind kind, Map<String, String> attributes, SourceLocation location) throws XMLStreamException {
+        boolean scene = kind == ObjectKind.SCENE;
+        check(kind.element(), attributes, location, scene ? List.of() : List.of("type"), List.of("type", "id", "name"));
+        List<PropertyDescription> properties = new ArrayList<>();
+        while (true) {
+            int event = checkEvent(xml.next());
+            if (event == XMLStreamConstants.END_ELEMENT) {
+                break;
+            }
+            if (event == XMLStreamConstants.START_ELEMENT) {
+                readMember(kind, properties);
+            }
+        }
+        String type = scene ? "scene" : attributes.get("type");
+        if (type == null) {
+            reader.setBroken();
+            return null;
+        }
+        String id = attributes.get("id");
+        ObjectDescription object = new ObjectDescription(kind, type, id, location, properties);
+        if (id != null) {
+            reader.addId(id, object, location);
+        }
+        return object;
+    }
+
+    private void readMember(ObjectKind owner, List<PropertyDescription> properties) throws XMLStreamException {
+        SourceLocation location = enter();
+        String element = xml.getLocalName();
+        Map<String, String> attributes = attributes(location);
+        ObjectKind kind = MitsubaReader.kind(element);
+        if (kind == ObjectKind.SCENE) {
+            problems.error(location, "<scene> can only be the root of a file");
+            skip(false);
+        } else if (kind != null) {
+            String name = attributes.getOrDefault("name", "");
+            ObjectDescription object = readObject(kind, attributes, location);
+            if (object != null) {
+                properties.add(new PropertyDescription(name, new Value.Nested(object), location));
+            }
+        } else if (element.equals("transform")) {
+            readTransform(attributes, location, properties);
+        } else {
+            readLeaf(element, owner, attributes, location, properties);
+        }
+    }
+
+    private void readLeaf(
+            String element,
+            ObjectKind owner,
+            Map<String, String> attributes,
+            SourceLocation location,
+            List<PropertyDescription> properties)
+            throws XMLStreamException {
+        switch (element) {
+            case "boolean", "integer", "float", "string", "rgb", "srgb", "spectrum" -> {
+                if (check(element, attributes, location, List.of("name", "value"), List.of())) {
+                    add(
+                            properties,
+                            attributes,
+                            location,
+                            () -> simpleValue(element, attributes.getOrDefault("value", "")));
+                } else {
+                    addInvalid(properties, attributes, location);
+                }
+            }
+            case "point", "vector" -> {
+                if (check(element, attributes, location, List.of("name"), List.of("value", "x", "y", "z"))) {
+                    add(properties, attributes, location, () -> triple(element, attributes));
+                }
+            }
+            case "ref" -> {
+                if (check(element, attributes, location, List.of("id"), List.of("name"))) {
+                    properties.add(new PropertyDescription(
+                            attributes.getOrDefault("name", ""),
+                            new Value.Reference(attributes.getOrDefault("id", "")),
+                            location));
+                }
+            }
+            case "include" -> {
+                if (check(element, attributes, location, List.of("filename"), List.of("name"))) {
+                    properties.addAll(reader.include(attributes.getOrDefault("filename", ""), location));
+                }
+            }
+            case "default" -> {
+                if (check(element, attributes, location, List.of("name", "value"), List.of())) {
+                    readDefault(attributes.getOrDefault("name", ""), attributes.getOrDefault("value", ""), location);
+                }
+            }
+            case "alias" -> {
+                if (check(element, attributes, location, List.of("id", "as"), List.of())) {
+                    reader.addAlias(attributes.getOrDefault("id", ""), attributes.getOrDefault("as", ""), location);
+                }
+            }
+            case "path" -> {
+                if (owner != ObjectKind.SCENE) {
+                    problems.error(location, "<path> can only stand directly in <scene>");
+                } else if (check(element, attributes, location, List.of("value"), List.of())) {
+                    reader.addFolder(attributes.getOrDefault("value", ""), location);
+                }
+            }
+            case "translate", "rotate", "scale", "lookat", "matrix" ->
+                problems.error(location, "<" + element + "> can only stand in <transform>");
+            default -> {
+                problems.unknownName(location, "unknown element <" + element + ">", element, ELEMENTS);
+                skip(false);
+                return;
+            }
+        }
+        skip(true);
+    }
+
+    private void readDefault(String name, String value, SourceLocation location) {
+        if (name.matches("[\\p{L}\\p{N}_]+")) {
+            reader.definitions().addDefault(name, value);
+        } else {
+            problems.error(
+                    location, "'" + Numbers.shortened(name) + "' cannot be used as $name: letters, digits and _ only");
+        }
+    }
+
+    /** Skips to the end of an element. Elements in it are an error, reported once if asked to. */
+    private void skip(boolean report) throws XMLStreamException {
+        int outer = depth - 1;
+        boolean reported = !report;
+        while (depth > outer) {
+            if (checkEvent(xml.next()) == XMLStreamConstants.START_ELEMENT) {
+                SourceLocation location = enter();
+                if (!reported && depth == outer + 2) {
+                    problems.error(location, "unexpected element <" + xml.getLocalName() + ">");
+                    reported = true;
+                }
+            }
+        }
+    }
+
+    /** A value that may not be as it should. */
+    private interface Parsed {
+        Value get() throws FormatException;
+    }
+
+    private void add(
+            List<PropertyDescription> properties,
+            Map<String, String> attributes,
+            SourceLocation location,
+            Parsed parsed) {
+        try {
+            properties.add(new PropertyDescription(attributes.getOrDefault("name", ""), parsed.get(), location));
+        } catch (FormatException e) {
+            problems.error(location, named(attributes) + e.getMessage());
+            addInvalid(properties, attributes, location);
+        }
+    }
+
+    private static String named(Map<String, String> attributes) {
+        String name = attributes.get("name");
+        return name == null ? "" : "'" + name + "': ";
+    }
+
+    private static void addInvalid(
+            List<PropertyDescription> properties, Map<String, String> attributes, SourceLocation location) {
+        String name = attributes.get("name");
+        if (name != null) {
+            properties.add(new PropertyDescription(name, new Value.Invalid(), location));
+        }
+    }
+
+    private static Value simpleValue(String element, String value) throws FormatException {
+        return switch (element) {
+            case "boolean" -> new Value.Switch(Numbers.truth(value));
+            case "integer" -> new Value.WholeNumber(Numbers.whole(value));
+            case "float" -> new Value.RealNumber(Numbers.real(value));
+            case "string" -> new Value.Text(value);
+            case "rgb" -> Numbers.linearColor(value);
+            case "srgb" -> Numbers.encodedColor(value);
+            default -> spectrum(value);
+        };
+    }
+
+    private static Value spectrum(String value) throws FormatException {
+        if (value.contains(":")) {
+            throw new FormatException("spectra by wavelength are not supported; use <rgb>");
+        }
+        return new Value.FlatSpectrum(Numbers.real(value));
+    }
+
+    private static Value triple(String element, Map<String, String> attributes) throws FormatException {
+        if (!attributes.containsKey("value")
+                && !(attributes.containsKey("x") && attributes.containsKey("y") && attributes.containsKey("z"))) {
+            throw new FormatException("<" + element + "> needs the attribute 'value' or 'x', 'y' and 'z'");
+        }
+        double[] xyz = coordinates(attributes, 0);
+        return new Value.Triple(xyz[0], xyz[1], xyz[2]);
+    }
+
+    /** Three numbers from x, y, z, or from one or three in value. */
+    private static double[] coordinates(Map<String, String> attributes, double missing) throws FormatException {
+        String value = attributes.get("value");
+        if (value != null) {
+            if (attributes.containsKey("x") || attributes.containsKey("y") || attributes.containsKey("z")) {
+                throw new FormatException("either 'value' or 'x', 'y' and 'z' can be given, not both");
+            }
+            double[] values = Numbers.list(value);
+            if (values.length == 1) {
+                return new double[] {values[0], values[0], values[0]};
+            }
+            if (values.length != 3) {
+                throw new FormatException("'" + Numbers.shortened(value) + "' must be one or three numbers");
+            }
+            return values;
+        }
+        double[] xyz = {missing, missing, missing};
+        for (int i = 0; i < 3; i++) {
+            String coordinate = attributes.get("xyz".substring(i, i + 1));
+            if (coordinate != null) {
+                xyz[i] = Numbers.real(coordinate);
+            }
+        }
+        return xyz;
+    }
+
+    /** Reads a transform; its parts apply in their order, so each new one multiplies from the left. */
+    private void readTransform(
+            Map<String, String> attributes, SourceLocation location, List<PropertyDescription> properties)
+            throws XMLStreamException {
+        boolean valid = check("transform", attributes, location, List.of("name"), List.of());
+        Matrix4d product = Transforms.identity();
+        while (true) {
+            int event = checkEvent(xml.next());
+            if (event == XMLStreamConstants.END_ELEMENT) {
+                break;
+            }
+            if (event == XMLStreamConstants.START_ELEMENT) {
+                SourceLocation partLocation = enter();
+                try {
+                    product.mul(readPart(partLocation), new Matrix4d(product));
+                } catch (FormatException e) {
+                    problems.error(partLocation, String.valueOf(e.getMessage()));
+                    valid = false;
+                }
+                skip(true);
+            }
+        }
+        if (valid) {
+            properties.add(new PropertyDescription(
+                    attributes.getOrDefault("name", ""), new Value.Transform(product), location));
+        } else {
+            addInvalid(properties, attributes, location);
+        }
+    }
+
+    private Matrix4d readPart(SourceLocation location) throws FormatException {
+        String element = xml.getLocalName();
+        Map<String, String> a = attributes(location);
+        List<String> coordinates = List.of("value", "x", "y", "z");
+        switch (element) {
+            case "translate" -> {
+                check(element, a, location, List.of(), coordinates);
+                double[] t = coordinates(a, 0);
+                return Transforms.translation(t[0], t[1], t[2]);
+            }
+            case "scale" -> {
+                check(element, a, location, List.of(), coordinates);
+                double[] s = coordinates(a, 1);
+                return Transforms.scaling(s[0], s[1], s[2]);
+            }
+            case "rotate" -> {
+                requirePart(element, a, location, List.of("angle"), coordinates);
+                double[] axis = coordinates(a, 0);
+                return Transforms.rotation(axis[0], axis[1], axis[2], Numbers.real(a.getOrDefault("angle", "")));
+            }
+            case "lookat" -> {
+                requirePart(element, a, location, List.of("origin", "target"), List.of("up"));
+                return Transforms.lookAt(
+                        Numbers.three(a.getOrDefault("origin", "")),
+                        Numbers.three(a.getOrDefault("target", "")),
+                        Numbers.three(a.getOrDefault("up", "0, 0, 0")));
+            }
+            case "matrix" -> {
+                requirePart(element, a, location, List.of("value"), List.of());
+                return Transforms.matrix(Numbers.list(a.getOrDefault("value", "")));
+            }
+            default ->
+                throw new FormatException("<" + element + "> cannot stand in <transform>"
+                        + NearestName.hint(element, List.of("translate", "rotate", "scale", "lookat", "matrix")));
+        }
+    }
+
+    private void requirePart(
+            String element,
+            Map<String, String> attributes,
+            SourceLocation location,
+            List<String> required,
+            List<String> optional)
+            throws FormatException {
+        for (String name : required) {
+            if (!attributes.containsKey(name)) {
+                throw new FormatException("<" + element + "> needs the attribute '" + name + "'");
+            }
+        }
+        check(element, attributes, location, required, optional);
+    }
+}
