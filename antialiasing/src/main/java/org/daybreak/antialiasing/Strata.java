@@ -37,12 +37,7 @@ final class Strata {
             int left = value >>> half;
             int right = value & mask;
             for (int round = 0; round < ROUNDS; round++) {
-<<<<<<< HEAD
                 int mixed = left ^ ((int) hash(key, round, right) & mask);
-=======
-                int mixed =
-                        left ^ ((int) Mixing.mix64(key + (((long) round << 32) | right) * Mixing.GOLDEN_GAMMA) & mask);
->>>>>>> main
                 left = right;
                 right = mixed;
             }
