@@ -91,7 +91,7 @@ public final class MitsubaReader {
         }
         open.add(real);
         try {
-            return new XmlFileParser(this, file, text).parse(main);
+            return XmlFileParser.parse(this, file, text, main);
         } finally {
             open.remove(open.size() - 1);
         }
