@@ -70,7 +70,8 @@ final class DiffCommand implements Callable<Integer> {
             throw new CommandException(
                     ExitCode.DIFFERENT,
                     "the images have no channel in common" + (layer.isEmpty() ? "" : " in the layer '" + layer + "'")
-                            + ": " + image + " has " + String.join(", ", a.channels().keySet()) + "; " + reference
+                            + ": " + image + " has "
+                            + String.join(", ", a.channels().keySet()) + "; " + reference
                             + " has " + String.join(", ", b.channels().keySet()));
         }
         print(results);
@@ -110,7 +111,9 @@ final class DiffCommand implements Callable<Integer> {
         for (String channel : channels) {
             int dot = channel.lastIndexOf('.');
             boolean inLayer = layer.equals(dot < 0 ? "" : channel.substring(0, dot));
-            if (inLayer && !chosen.contains(channel) && !channel.substring(dot + 1).equals("A")) {
+            if (inLayer
+                    && !chosen.contains(channel)
+                    && !channel.substring(dot + 1).equals("A")) {
                 chosen.add(channel);
             }
         }

@@ -61,8 +61,7 @@ final class FilmOptions {
                 return layer;
             }
         }
-        throw new CommandException(
-                ExitCode.USAGE, "there is no layer '" + id + "'" + NearestName.hint(id, layerIds()));
+        throw new CommandException(ExitCode.USAGE, "there is no layer '" + id + "'" + NearestName.hint(id, layerIds()));
     }
 
     private static int[] numbers(String option, String text, String separator, String form, int count) {

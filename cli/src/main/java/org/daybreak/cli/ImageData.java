@@ -118,11 +118,6 @@ record ImageData(
             channels.put(names.get(c), samples);
         }
         return new ImageData(
-                image.width(),
-                image.height(),
-                "PFM",
-                types,
-                channels,
-                Map.of("scale", Float.toString(image.scale())));
+                image.width(), image.height(), "PFM", types, channels, Map.of("scale", Float.toString(image.scale())));
     }
 }

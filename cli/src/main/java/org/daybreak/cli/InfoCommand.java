@@ -51,7 +51,8 @@ final class InfoCommand implements Callable<Integer> {
         line("format", image.format());
         line("size", image.width() + "x" + image.height());
         image.attributes().forEach(this::line);
-        image.channels().forEach((name, samples) -> line(name, describe(image.types().get(name), samples)));
+        image.channels()
+                .forEach((name, samples) -> line(name, describe(image.types().get(name), samples)));
     }
 
     private static String describe(@org.jspecify.annotations.Nullable String type, float[] samples) {

@@ -37,7 +37,8 @@ final class JsonProgress extends ProgressDisplay {
         values.put("samplesPerPixel", report.samplesPerPixel());
         values.put("seconds", seconds);
         values.put(
-                "outputs", written.stream().map(output -> output.path().toString()).toList());
+                "outputs",
+                written.stream().map(output -> output.path().toString()).toList());
         print(values);
     }
 

@@ -37,7 +37,8 @@ final class LinearImageLoader implements ImageLoader {
 
     private static LoadedImage exr(ExrImage image) throws IOException {
         if (isFloat(image, "R") && isFloat(image, "G") && isFloat(image, "B")) {
-            return new LoadedImage.Floats(image.width(), image.height(), 3, image.interleaved("", "R", "G", "B"), false);
+            return new LoadedImage.Floats(
+                    image.width(), image.height(), 3, image.interleaved("", "R", "G", "B"), false);
         }
         if (isFloat(image, "Y")) {
             return new LoadedImage.Floats(image.width(), image.height(), 1, image.samples("Y"), false);

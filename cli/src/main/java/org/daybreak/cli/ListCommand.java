@@ -27,12 +27,7 @@ import picocli.CommandLine.Parameters;
             "Lists what there is to choose from, with parameters and defaults:",
             "renderers, antialiasing, intersectors, materials, lights, shapes, textures or formats."
         },
-        footer = {
-            "",
-            "Examples:",
-            "  daybreak list renderers",
-            "  daybreak list materials --json"
-        })
+        footer = {"", "Examples:", "  daybreak list renderers", "  daybreak list materials --json"})
 final class ListCommand implements Callable<Integer> {
     private final Session session;
 
@@ -68,33 +63,35 @@ final class ListCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        List<Item> items =
-                switch (what) {
-                    case "renderers" -> renderers();
-                    case "antialiasing" -> antialiasing();
-                    case "intersectors" -> intersectors();
-                    case "materials" -> plugins(ObjectKind.BSDF);
-                    case "lights" -> plugins(ObjectKind.EMITTER);
-                    case "shapes" -> plugins(ObjectKind.SHAPE);
-                    case "textures" -> plugins(ObjectKind.TEXTURE);
-                    case "formats" -> formats();
-                    default -> throw new CommandException(
-                            ExitCode.USAGE,
-                            "there is no list of '" + what + "'"
-                                    + NearestName.hint(
-                                            what,
-                                            List.of(
-                                                    "renderers",
-                                                    "antialiasing",
-                                                    "intersectors",
-                                                    "materials",
-                                                    "lights",
-                                                    "shapes",
-                                                    "textures",
-                                                    "formats")));
-                };
+        List<Item> items = switch (what) {
+            case "renderers" -> renderers();
+            case "antialiasing" -> antialiasing();
+            case "intersectors" -> intersectors();
+            case "materials" -> plugins(ObjectKind.BSDF);
+            case "lights" -> plugins(ObjectKind.EMITTER);
+            case "shapes" -> plugins(ObjectKind.SHAPE);
+            case "textures" -> plugins(ObjectKind.TEXTURE);
+            case "formats" -> formats();
+            default ->
+                throw new CommandException(
+                        ExitCode.USAGE,
+                        "there is no list of '" + what + "'"
+                                + NearestName.hint(
+                                        what,
+                                        List.of(
+                                                "renderers",
+                                                "antialiasing",
+                                                "intersectors",
+                                                "materials",
+                                                "lights",
+                                                "shapes",
+                                                "textures",
+                                                "formats")));
+        };
         if (json) {
-            session.out().print(JsonText.document(items.stream().map(ListCommand::map).toList()));
+            session.out()
+                    .print(JsonText.document(
+                            items.stream().map(ListCommand::map).toList()));
         } else {
             items.forEach(this::print);
         }
@@ -153,7 +150,8 @@ final class ListCommand implements Callable<Integer> {
     private static List<Item> formats() {
         List<Item> items = new ArrayList<>();
         for (InputFormats.Format format : InputFormats.formats()) {
-            items.add(new Item(String.join(", ", format.endings()), "read: " + format.name() + ". " + format.doc(), List.of()));
+            items.add(new Item(
+                    String.join(", ", format.endings()), "read: " + format.name() + ". " + format.doc(), List.of()));
         }
         items.add(new Item("exr, pfm", "read: textures and environments of linear values.", List.of()));
         items.add(new Item("png, jpg, jpeg, bmp, gif", "read: textures, sRGB unless the scene says raw.", List.of()));

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 import org.daybreak.core.render.NearestName;
 import org.daybreak.core.render.ParameterException;
 import picocli.CommandLine;
@@ -23,6 +24,8 @@ public final class Main {
      * @param args command line
      */
     public static void main(String[] args) {
+        // No option takes a date, and the classes for them would be loaded on every start.
+        System.setProperty("picocli.converters.excludes", "java.time.*,java.sql.*");
         Interrupts interrupts = new Interrupts();
         interrupts.listen();
         int code = run(args, new Session(System.out, System.err, interrupts));
@@ -44,7 +47,7 @@ public final class Main {
 
     private static int run(String[] args, Session session) {
         try {
-            return commandLine(session).execute(args);
+            return commandLine(session, args).execute(args);
         } catch (OutOfMemoryError e) {
             return outOfMemory(session);
         } catch (RuntimeException | Error e) {
@@ -52,12 +55,18 @@ public final class Main {
         }
     }
 
-    private static CommandLine commandLine(Session session) {
-        CommandLine daybreak = new CommandLine(new DaybreakCommand())
-                .addSubcommand(new RenderCommand(session))
-                .addSubcommand(new ListCommand(session))
-                .addSubcommand(new InfoCommand(session))
-                .addSubcommand(new DiffCommand(session));
+    /** All commands, or only the one that is called: picocli looks at each command's annotations by slow reflection. */
+    private static CommandLine commandLine(Session session, String[] args) {
+        CommandLine daybreak = new CommandLine(new DaybreakCommand());
+        Map<String, Supplier<Object>> commands = new LinkedHashMap<>();
+        commands.put("render", () -> new RenderCommand(session));
+        commands.put("list", () -> new ListCommand(session));
+        commands.put("info", () -> new InfoCommand(session));
+        commands.put("diff", () -> new DiffCommand(session));
+        Supplier<Object> called = args.length == 0 ? null : commands.get(args[0]);
+        for (Supplier<Object> command : called == null ? commands.values() : List.of(called)) {
+            daybreak.addSubcommand(command.get());
+        }
         addHelp(daybreak.getCommandSpec());
         daybreak.getSubcommands().values().forEach(command -> addHelp(command.getCommandSpec()));
         CommandSpec spec = daybreak.getCommandSpec();

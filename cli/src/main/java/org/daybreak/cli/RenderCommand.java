@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.daybreak.core.accel.Intersectors;
 import org.daybreak.core.film.FilmLayer;
 import org.daybreak.core.film.FilmSettings;
 import org.daybreak.core.render.AntialiasingFactory;
@@ -77,10 +78,16 @@ final class RenderCommand implements Callable<Integer> {
             description = "Stop after this time, counted from the compiled scene on.")
     private @Nullable Double seconds;
 
-    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers; default: the scene's, else 0.")
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            description = "Seed of all random numbers; default: the scene's, else 0.")
     private @Nullable Long seed;
 
-    @Option(names = "--threads", paramLabel = "N", description = "Threads; default: all processors. Same image for any N.")
+    @Option(
+            names = "--threads",
+            paramLabel = "N",
+            description = "Threads; default: all processors. Same image for any N.")
     private @Nullable Integer threads;
 
     @Option(names = "--size", paramLabel = "WxH", description = "Size of the image; keeps the field of view.")
@@ -105,10 +112,7 @@ final class RenderCommand implements Callable<Integer> {
     @Option(names = "--intersector", paramLabel = "ID", description = "Intersector; default: the fastest here.")
     private @Nullable String intersector;
 
-    @Option(
-            names = "--progress",
-            paramLabel = "MODE",
-            description = "Progress on stderr: auto, plain, json or none.")
+    @Option(names = "--progress", paramLabel = "MODE", description = "Progress on stderr: auto, plain, json or none.")
     private String progress = "auto";
 
     @Option(names = "--stats", paramLabel = "FILE", description = "Writes statistics as JSON.")
@@ -125,13 +129,14 @@ final class RenderCommand implements Callable<Integer> {
         List<OutputFile> files = outputFiles();
         ProgressMode mode = ProgressMode.of(progress);
         String wanted = intersector;
-        if (wanted != null) {
+        if (wanted == null) {
+            checkIntersectorsMeanwhile();
+        } else {
             Services.checkIntersector(wanted);
         }
         // Whatever can be wrong about the command line alone is found before the scene is read.
         AntialiasingFactory method = Services.antialiasing(antialiasing);
-        ParameterValues methodValues =
-                ParameterValues.parse(method.parameters(), antialiasingParameters, method.id());
+        ParameterValues methodValues = ParameterValues.parse(method.parameters(), antialiasingParameters, method.id());
         Set<FilmLayer> filmLayers = filmLayers(files);
         int threadCount = threads();
         RenderBudget given = budget(RenderPlan.DEFAULT_SAMPLES);
@@ -162,6 +167,13 @@ final class RenderCommand implements Callable<Integer> {
         Scene compiled = Scenes.compile(scene, file, new SceneCompiler.Options(threadCount, intersector));
         RenderJob job = new RenderJob(plan, mode, statistics, session, times);
         return job.run(compiled, file.warnings()).number();
+    }
+
+    /** The fast intersectors prove themselves while the scene is read; compiling it waits for the outcome. */
+    private static void checkIntersectorsMeanwhile() {
+        Thread thread = new Thread(Intersectors::select, "daybreak-intersector-check");
+        thread.setDaemon(true);
+        thread.start();
     }
 
     private List<OutputFile> outputFiles() {
@@ -204,8 +216,7 @@ final class RenderCommand implements Callable<Integer> {
     private RenderBudget budget(int samplesOtherwise) {
         if (samplesPerPixel != null && (samplesPerPixel < 1 || samplesPerPixel > Integer.MAX_VALUE)) {
             throw new CommandException(
-                    ExitCode.USAGE,
-                    "--spp is " + samplesPerPixel + " but must be from 1 to " + Integer.MAX_VALUE);
+                    ExitCode.USAGE, "--spp is " + samplesPerPixel + " but must be from 1 to " + Integer.MAX_VALUE);
         }
         if (seconds != null && !(seconds > 0)) {
             throw new CommandException(ExitCode.USAGE, "--time is " + seconds + " but must be greater than 0 seconds");
@@ -213,9 +224,7 @@ final class RenderCommand implements Callable<Integer> {
         if (seconds == null) {
             return RenderBudget.samples(samplesPerPixel == null ? samplesOtherwise : samplesPerPixel);
         }
-        return samplesPerPixel == null
-                ? RenderBudget.seconds(seconds)
-                : new RenderBudget(samplesPerPixel, seconds, 0);
+        return samplesPerPixel == null ? RenderBudget.seconds(seconds) : new RenderBudget(samplesPerPixel, seconds, 0);
     }
 
     private FilmSettings film(SceneFile file) {

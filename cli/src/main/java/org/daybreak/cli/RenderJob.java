@@ -124,8 +124,9 @@ final class RenderJob {
     private List<String> ownWarnings(RenderReport report) {
         List<String> warnings = new ArrayList<>(report.warnings());
         if (report.nonFiniteSamples() > 0) {
-            warnings.add(report.nonFiniteSamples() + " samples were infinite or not numbers and were left out; the first: "
-                    + String.join("; ", report.nonFiniteAddresses()));
+            warnings.add(
+                    report.nonFiniteSamples() + " samples were infinite or not numbers and were left out; the first: "
+                            + String.join("; ", report.nonFiniteAddresses()));
         }
         if (report.cancelled()) {
             warnings.add("interrupted: the image holds what was rendered so far");

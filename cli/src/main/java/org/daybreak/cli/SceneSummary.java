@@ -111,12 +111,15 @@ final class SceneSummary {
         lines.put(
                 "film",
                 film.width() + "x" + film.height() + ", crop " + film.crop() + ", filter "
-                        + film.filter().kind().id() + " of radius " + film.filter().radius());
+                        + film.filter().kind().id() + " of radius "
+                        + film.filter().radius());
     }
 
     private static void request(RenderSettingsRequest request, Map<String, String> lines) {
         StringBuilder text = new StringBuilder(request.rendererId().orElse("none named"));
-        request.parameters().forEach((name, value) -> text.append(", ").append(name).append('=').append(value));
+        request.parameters()
+                .forEach((name, value) ->
+                        text.append(", ").append(name).append('=').append(value));
         request.samplesPerPixel()
                 .ifPresent(samples -> text.append(", ").append(samples).append(" samples per pixel"));
         lines.put("renderer", text.toString());

@@ -16,7 +16,8 @@ final class Scenes {
     /** Reads a scene file and hands its warnings to the user. */
     static SceneFile load(Path file, Map<String, String> defines, Session session) {
         try {
-            SceneFile scene = new SceneReader(new LinearImageLoader().or(new StandardImageLoader())).load(file, defines);
+            SceneFile scene =
+                    new SceneReader(new LinearImageLoader().or(new StandardImageLoader())).load(file, defines);
             scene.warnings().forEach(warning -> session.warning(warning.toString()));
             return scene;
         } catch (SceneException e) {

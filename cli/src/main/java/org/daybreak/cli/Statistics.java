@@ -47,9 +47,8 @@ final class Statistics {
     /** The fields in order. */
     Map<String, Object> values() {
         double seconds = times.wall("render");
-        long rays = report.raysByKind().values().stream()
-                .mapToLong(Long::longValue)
-                .sum();
+        long rays =
+                report.raysByKind().values().stream().mapToLong(Long::longValue).sum();
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("software", Version.software());
         values.put("java", Version.java());
@@ -57,7 +56,8 @@ final class Statistics {
         values.put("renderer", component(report.renderer(), plan.parameterMap()));
         values.put(
                 "antialiasing",
-                component(plan.antialiasing().id(), plan.antialiasingParameters().asMap()));
+                component(
+                        plan.antialiasing().id(), plan.antialiasingParameters().asMap()));
         values.put("intersector", intersector());
         values.put("film", film());
         values.put("seed", plan.seed());
@@ -77,7 +77,8 @@ final class Statistics {
         values.put("nonFinite", nonFinite());
         values.put("warnings", warnings);
         values.put(
-                "outputs", written.stream().map(output -> output.path().toString()).toList());
+                "outputs",
+                written.stream().map(output -> output.path().toString()).toList());
         return values;
     }
 
@@ -117,7 +118,9 @@ final class Statistics {
         double wall = 0;
         double cpu = 0;
         for (Map.Entry<String, PhaseTimes.Seconds> phase : times.phases().entrySet()) {
-            values.put(phase.getKey(), seconds(phase.getValue().wall(), phase.getValue().cpu()));
+            values.put(
+                    phase.getKey(),
+                    seconds(phase.getValue().wall(), phase.getValue().cpu()));
             wall += phase.getValue().wall();
             cpu += phase.getValue().cpu();
         }

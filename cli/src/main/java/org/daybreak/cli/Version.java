@@ -25,7 +25,8 @@ final class Version implements CommandLine.IVersionProvider {
         lines.add(software());
         lines.add("Java: " + java());
         Intersectors.Selection selection = Intersectors.select();
-        lines.add("Intersector: " + selection.provider().id() + " (" + selection.provider().description() + ")");
+        lines.add("Intersector: " + selection.provider().id() + " ("
+                + selection.provider().description() + ")");
         selection.rejected().forEach((id, reason) -> lines.add("  not " + id + ": " + reason));
         return lines.toArray(new String[0]);
     }

@@ -22,11 +22,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Each kind of bad input: its exit code, one clear message, and nothing written. */
 class BadInputTest {
-    private static final String MESH =
-            "<shape type=\"ply\"><string name=\"filename\" value=\"mesh.ply\"/></shape>";
+    private static final String MESH = "<shape type=\"ply\"><string name=\"filename\" value=\"mesh.ply\"/></shape>";
 
-    private static final String PLY_HEADER =
-            """
+    private static final String PLY_HEADER = """
             ply
             format ascii 1.0
             element vertex 4
@@ -40,8 +38,7 @@ class BadInputTest {
 
     private static final String VERTICES = "-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n";
 
-    private static final String BOMB =
-            """
+    private static final String BOMB = """
             <!DOCTYPE scene [
               <!ENTITY a "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa">
               <!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;">
@@ -52,8 +49,7 @@ class BadInputTest {
             <scene version="3.0.0"><default name="x" value="&e;"/></scene>
             """;
 
-    private static final String EXTERNAL =
-            """
+    private static final String EXTERNAL = """
             <!DOCTYPE scene [<!ENTITY secret SYSTEM "secret.txt">]>
             <scene version="3.0.0"><default name="x" value="&secret;"/></scene>
             """;

@@ -46,8 +46,7 @@ class InterruptTest {
         Path pipe = folder.resolve("scene.xml");
         assumeTrue(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() == 0, "no mkfifo");
         ChildJvm child = ChildJvm.start(
-                folder,
-                ChildJvm.command(List.of("-Xlog:class+load:file=classes.log"), List.of("render", "scene.xml")));
+                folder, ChildJvm.command(List.of("-Xlog:class+load:file=classes.log"), List.of("render", "scene.xml")));
         Path classes = folder.resolve("classes.log");
         long end = System.nanoTime() + 60_000_000_000L;
         while (System.nanoTime() < end
@@ -72,12 +71,12 @@ class InterruptTest {
         ChildJvm.Result result = child.await();
         assertEquals(code, result.code(), result.err());
         assertTrue(result.err().contains("interrupted: the image holds what was rendered so far"), result.err());
-        assertEquals(
-                List.of("s.json", "tiny.exr", "tiny.png", "tiny.xml"), ChildJvm.filesWithoutLogs(folder));
+        assertEquals(List.of("s.json", "tiny.exr", "tiny.png", "tiny.xml"), ChildJvm.filesWithoutLogs(folder));
         ExrImage image = ExrReader.read(folder.resolve("tiny.exr"));
         assertEquals(4, image.samples("R")[3 * 8 + 3], 1e-6);
         assertEquals(8, ImageIO.read(folder.resolve("tiny.png").toFile()).getWidth());
-        JsonNode statistics = new ObjectMapper().readTree(folder.resolve("s.json").toFile());
+        JsonNode statistics =
+                new ObjectMapper().readTree(folder.resolve("s.json").toFile());
         assertTrue(statistics.get("cancelled").asBoolean());
         assertTrue(statistics.get("samples").asLong() >= 128);
     }
@@ -90,7 +89,8 @@ class InterruptTest {
         }
         for (String line : Files.readAllLines(status)) {
             if (line.startsWith("SigIgn:")) {
-                long mask = Long.parseUnsignedLong(line.substring("SigIgn:".length()).trim(), 16);
+                long mask = Long.parseUnsignedLong(
+                        line.substring("SigIgn:".length()).trim(), 16);
                 return (mask & 2) != 0;
             }
         }

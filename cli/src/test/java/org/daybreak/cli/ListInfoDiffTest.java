@@ -31,8 +31,13 @@ class ListInfoDiffTest {
     void listsNameWhatThereIs(String what, String id) throws IOException {
         Cli.Result list = Cli.run("list", what);
         assertEquals(0, list.code(), list.err());
-        assertTrue(Pattern.compile("^" + id + "\\b", Pattern.MULTILINE).matcher(list.out()).find(), list.out());
-        JsonNode json = new ObjectMapper().readTree(Cli.run("list", what, "--json").out());
+        assertTrue(
+                Pattern.compile("^" + id + "\\b", Pattern.MULTILINE)
+                        .matcher(list.out())
+                        .find(),
+                list.out());
+        JsonNode json =
+                new ObjectMapper().readTree(Cli.run("list", what, "--json").out());
         boolean found = false;
         for (JsonNode item : json) {
             found |= item.get("id").asText().equals(id);

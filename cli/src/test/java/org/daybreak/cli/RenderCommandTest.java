@@ -57,11 +57,13 @@ class RenderCommandTest {
 
     @Test
     void exrTellsHowItWasMade() throws IOException {
-        assertEquals(0, Cli.run("render", scene, "-o", exr, "--seed", "-77", "-P", "rrDepth=9").code());
+        assertEquals(
+                0,
+                Cli.run("render", scene, "-o", exr, "--seed", "-77", "-P", "rrDepth=9")
+                        .code());
         var attributes = ExrReader.readHeader(exr).attributes();
         assertEquals(new ExrAttribute.StringValue("path"), attributes.get("renderer"));
-        assertEquals(
-                new ExrAttribute.StringValue("{\"maxDepth\":3,\"rrDepth\":9}"), attributes.get("parameters"));
+        assertEquals(new ExrAttribute.StringValue("{\"maxDepth\":3,\"rrDepth\":9}"), attributes.get("parameters"));
         assertEquals(new ExrAttribute.StringValue("-77"), attributes.get("seed"));
         assertEquals(new ExrAttribute.StringValue("sobol"), attributes.get("antialiasing"));
         assertEquals(new ExrAttribute.DoubleValue(4), attributes.get("samplesPerPixel"));
@@ -89,7 +91,8 @@ class RenderCommandTest {
     void cropIsThatPartOfTheWholePicture() throws IOException {
         Path part = folder.resolve("part.exr");
         assertEquals(0, Cli.run("render", scene, "-o", exr).code());
-        assertEquals(0, Cli.run("render", scene, "-o", part, "--crop", "1,2,5,3").code());
+        assertEquals(
+                0, Cli.run("render", scene, "-o", part, "--crop", "1,2,5,3").code());
         ExrImage whole = ExrReader.read(exr);
         ExrImage crop = ExrReader.read(part);
         assertEquals(new Box2i(1, 2, 5, 4), crop.header().dataWindow());
@@ -113,7 +116,8 @@ class RenderCommandTest {
         assertEquals(4, statistics().get("samplesPerPixel").asInt());
         assertEquals(2, statistics("-D", "spp=2").get("samplesPerPixel").asInt());
         assertEquals(
-                8, statistics("-D", "spp=2", "--spp", "8").get("samplesPerPixel").asInt());
+                8,
+                statistics("-D", "spp=2", "--spp", "8").get("samplesPerPixel").asInt());
         TestScenes.write(folder, TestScenes.usual().replace("<integer name=\"sample_count\" value=\"$spp\"/>", ""));
         // The reader's own default for a sampler without a count is left to the renderer.
         assertEquals(64, statistics().get("samplesPerPixel").asInt());
@@ -146,14 +150,17 @@ class RenderCommandTest {
     void antialiasingTakesParameters() throws IOException {
         JsonNode grid = statistics("--antialiasing", "grid", "-A", "gridSize=3", "--spp", "1");
         assertEquals("grid", grid.get("antialiasing").get("id").asText());
-        assertEquals(3, grid.get("antialiasing").get("parameters").get("gridSize").asInt());
+        assertEquals(
+                3, grid.get("antialiasing").get("parameters").get("gridSize").asInt());
         assertEquals(9, grid.get("samplesPerPixel").asInt());
     }
 
     @Test
     void layersGoIntoTheExr() throws IOException {
         assertEquals(
-                0, Cli.run("render", scene, "-o", exr, "--layers", "albedo,normal,depth,variance").code());
+                0,
+                Cli.run("render", scene, "-o", exr, "--layers", "albedo,normal,depth,variance")
+                        .code());
         assertEquals(
                 List.of("", "albedo", "depth", "normal", "variance"),
                 ExrReader.readHeader(exr).layers());
@@ -172,12 +179,17 @@ class RenderCommandTest {
 
     @Test
     void progressModes() throws IOException {
-        assertEquals("", Cli.run("render", scene, "-o", exr, "--progress", "none").err());
-        String plain = Cli.run("render", scene, "-o", exr, "--progress", "plain").err();
+        assertEquals(
+                "", Cli.run("render", scene, "-o", exr, "--progress", "none").err());
+        String plain =
+                Cli.run("render", scene, "-o", exr, "--progress", "plain").err();
         assertTrue(plain.startsWith("rendered in "), plain);
         assertEquals(
                 plain.lines().count(),
-                Cli.run("render", scene, "-o", exr, "--progress", "auto").err().lines().count());
+                Cli.run("render", scene, "-o", exr, "--progress", "auto")
+                        .err()
+                        .lines()
+                        .count());
         List<String> lines = Cli.run("render", scene, "-o", exr, "--progress", "json", "--time", "0.6")
                 .err()
                 .lines()
@@ -224,8 +236,7 @@ class RenderCommandTest {
         assertEquals("kitchen.v2", Scenes.name(Path.of("a", "kitchen.v2.xml")));
         assertEquals("kitchen", Scenes.name(Path.of("a", "kitchen", "scene.xml")));
         assertEquals("kitchen", Scenes.name(Path.of("kitchen", "x", "..", "scene.xml")));
-        assertEquals(
-                Path.of("").toAbsolutePath().getFileName().toString(), Scenes.name(Path.of("scene.xml")));
+        assertEquals(Path.of("").toAbsolutePath().getFileName().toString(), Scenes.name(Path.of("scene.xml")));
     }
 
     @Test

@@ -8,8 +8,7 @@ import java.nio.file.Path;
 final class TestScenes {
     static final String INTEGRATOR = "<integrator type=\"path\"><integer name=\"max_depth\" value=\"3\"/></integrator>";
 
-    static final String SENSOR =
-            """
+    static final String SENSOR = """
             <sensor type="perspective">
                 <string name="fov_axis" value="x"/><float name="fov" value="90"/>
                 <transform name="to_world"><lookat origin="0, 0, 1" target="0, 0, 0" up="0, 1, 0"/></transform>
@@ -20,8 +19,7 @@ final class TestScenes {
             """;
 
     /** Fills the middle half of the picture in both directions. */
-    static final String LIGHT =
-            """
+    static final String LIGHT = """
             <shape type="rectangle">
                 <transform name="to_world"><scale value="0.5"/></transform>
                 <emitter type="area"><rgb name="radiance" value="4, 2, 1"/></emitter>
@@ -29,8 +27,7 @@ final class TestScenes {
             """;
 
     /** A wall behind the light that is lit from the front by a point. */
-    static final String WALL =
-            """
+    static final String WALL = """
             <shape type="rectangle">
                 <transform name="to_world"><scale value="9"/><translate z="-1"/></transform>
                 <bsdf type="diffuse"><rgb name="reflectance" value="0.5, 0.5, 0.5"/></bsdf>

@@ -81,8 +81,7 @@ class UsageTest {
     @Test
     void sameFileTwice() throws IOException {
         Path scene = TestScenes.write(folder, TestScenes.usual());
-        Cli.Result result =
-                Cli.run("render", scene, "-o", folder.resolve("a.exr"), "-o", folder.resolve("x/../a.exr"));
+        Cli.Result result = Cli.run("render", scene, "-o", folder.resolve("a.exr"), "-o", folder.resolve("x/../a.exr"));
         assertEquals(2, result.code());
         assertTrue(result.err().contains("is given twice"), result.err());
     }
@@ -122,8 +121,8 @@ class UsageTest {
             assertEquals(1, result.messages().size(), result.err());
             assertTrue(result.err().contains("cannot be written"), result.err());
         }
-        Cli.Result statistics = Cli.run(
-                "render", missing, "-o", folder.resolve("a.exr"), "--stats", folder.resolve("no/such/s.json"));
+        Cli.Result statistics =
+                Cli.run("render", missing, "-o", folder.resolve("a.exr"), "--stats", folder.resolve("no/such/s.json"));
         assertEquals(4, statistics.code(), statistics.err());
     }
 
