@@ -141,8 +141,7 @@ final class Irradiance {
      */
     private static double angleOverSine(double cosine) {
         double x = Math.min(Math.abs(cosine), 1);
-        double acute = 1.57061462
-                + x * (-0.99075111 + x * (0.70437805 + x * (-0.38999851 + x * 0.10585294)));
+        double acute = 1.57061462 + x * (-0.99075111 + x * (0.70437805 + x * (-0.38999851 + x * 0.10585294)));
         return cosine >= 0 ? acute : Math.PI / Math.sqrt(Math.max(1 - x * x, 1e-12)) - acute;
     }
 }

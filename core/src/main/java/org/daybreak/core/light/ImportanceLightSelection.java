@@ -47,9 +47,8 @@ public final class ImportanceLightSelection implements LightSelection {
         double left = u;
         int last = -1;
         for (int i = 0; candidates > 0 && i < lights.length; i++) {
-            double importance = i > 3
-                    ? importance(i, px, py, pz, nx, ny, nz)
-                    : i == 0 ? w0 : i == 1 ? w1 : i == 2 ? w2 : w3;
+            double importance =
+                    i > 3 ? importance(i, px, py, pz, nx, ny, nz) : i == 0 ? w0 : i == 1 ? w1 : i == 2 ? w2 : w3;
             if (importance > 0) {
                 last = i;
                 left -= mix(importance, total, candidates);
