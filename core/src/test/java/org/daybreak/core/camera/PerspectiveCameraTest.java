@@ -106,7 +106,7 @@ class PerspectiveCameraTest {
                         (x, y, z) -> camera.rayDensity(ox, oy, oz, x, y, z, ray) ? ray.densityDirection : 0)
                 .cells(21, 21)
                 .samples(50_000)
-                .depth(4, 7)
+                .depth(5, 7)
                 .assertAgrees(Significance.sidak(SIGNIFICANCE, cases().size()));
     }
 
