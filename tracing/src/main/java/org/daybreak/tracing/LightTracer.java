@@ -74,12 +74,18 @@ final class LightTracer {
         }
         double chosen = selection.emissionProbability(index);
         Light light = scene.light(index);
-        if (!light.sampleEmission(positionU, positionV, directionU, directionV, emission)) {
-            return true;
-        }
         double lensU = lensArea ? sampler.next() : 0.5;
         double lensV = lensArea ? sampler.next() : 0.5;
-        boolean finite = lens.joinEmitter(light, emission, chosen, lensU, lensV, splats);
+        boolean finite = true;
+        if (light.isInfinite() && !light.isDelta()) {
+            finite = lens.joinInfinite(light, chosen, directionU, directionV, lensU, lensV, splats);
+        }
+        if (!light.sampleEmission(positionU, positionV, directionU, directionV, emission)) {
+            return finite;
+        }
+        if (!light.isInfinite() && !light.isDelta()) {
+            finite = lens.joinEmitter(light, emission, chosen, lensU, lensV, splats);
+        }
         if (edgeLimit >= 2) {
             finite &= walk(chosen, splats);
         }
