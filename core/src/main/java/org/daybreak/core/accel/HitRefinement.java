@@ -139,11 +139,27 @@ public final class HitRefinement {
         double extent = Math.abs(e1x) + Math.abs(e1y) + Math.abs(e1z) + Math.abs(e2x) + Math.abs(e2y) + Math.abs(e2z);
         double magnitude = Math.abs(ax) + Math.abs(ay) + Math.abs(az) + extent;
         double bound = FLOAT_EPSILON * (POSITION_FACTOR * magnitude + EXTENT_FACTOR * extent);
-        setInside(second, third, Math.min(MOST_INSET, bound * extent * inverseDoubleArea));
+        double inset = INSET_FACTOR * bound * extent * inverseDoubleArea * slide(normalX, normalY, normalZ);
+        setInside(second, third, Math.min(MOST_INSET, inset));
         x = ax + u * e1x + v * e2x;
         y = ay + u * e1y + v * e2y;
         z = az + u * e1z + v * e2z;
         offset = bound;
+    }
+
+    /** How far a step along the world's normal goes along a plane of the level for each unit off it; at least 1. */
+    private double slide(double nx, double ny, double nz) {
+        Instance i = within;
+        if (i == null) {
+            return 1;
+        }
+        double wx = i.worldToObject(0) * nx + i.worldToObject(4) * ny + i.worldToObject(8) * nz;
+        double wy = i.worldToObject(1) * nx + i.worldToObject(5) * ny + i.worldToObject(9) * nz;
+        double wz = i.worldToObject(2) * nx + i.worldToObject(6) * ny + i.worldToObject(10) * nz;
+        double ox = i.worldToObject(0) * wx + i.worldToObject(1) * wy + i.worldToObject(2) * wz;
+        double oy = i.worldToObject(4) * wx + i.worldToObject(5) * wy + i.worldToObject(6) * wz;
+        double oz = i.worldToObject(8) * wx + i.worldToObject(9) * wy + i.worldToObject(10) * wz;
+        return Math.sqrt(ox * ox + oy * oy + oz * oz) / (wx * wx + wy * wy + wz * wz);
     }
 
     /** Moves barycentric coordinates into the triangle that is smaller by the inset on all three sides. */

@@ -1,5 +1,6 @@
 package org.daybreak.core.accel;
 
+import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,6 +29,9 @@ public final class WideBvh {
     /** Offset of the first node or block. */
     public static final int START = 12;
 
+    /** Subtrees of at least this many primitives are laid out by several threads. */
+    private static final int FORK_SIZE = 1 << 14;
+
     private final int width;
     private final float[] data;
     private final int blockStart;
@@ -36,30 +40,22 @@ public final class WideBvh {
     private final double scale;
     private final float[] bounds;
     private final int triangleCount;
-    private int root;
-    private int nodeEnd;
-    private int blockEnd;
-    private int depth;
+    private final int root;
+    private final int depth;
 
     private WideBvh(int width, PrimitiveRecords records, @Nullable BinaryNode tree) {
         this.width = width;
         scale = records.scale;
         others = new OtherPrimitives(records.set);
-        bounds = new float[6];
-        for (int i = 0; i < 6; i++) {
-            bounds[i] = (float) (records.bounds[i] / scale);
-        }
+        bounds = records.bounds;
         triangleCount = records.set.triangleCount();
-        int[] counts = new int[2];
-        if (tree != null) {
-            count(tree, records, counts);
-        }
-        blockStart = Math.addExact(START, Math.multiplyExact(7 * width, counts[0]));
-        data = new float[Math.addExact(blockStart, Math.multiplyExact(9 * width, counts[1]))];
-        numbers = new int[width * counts[1]];
-        nodeEnd = START;
-        blockEnd = blockStart;
-        root = tree == null ? EMPTY : write(tree, records, 1);
+        depth = tree == null ? 0 : gather(tree, records, new BinaryNode[width]);
+        int nodeCount = tree == null ? 0 : tree.wideNodes;
+        int blockCount = tree == null ? 0 : tree.blocks;
+        blockStart = Math.addExact(START, Math.multiplyExact(7 * width, nodeCount));
+        data = new float[Math.addExact(blockStart, Math.multiplyExact(9 * width, blockCount))];
+        numbers = new int[width * blockCount];
+        root = tree == null ? EMPTY : write(tree, records, START, blockStart);
     }
 
     /**
@@ -70,78 +66,115 @@ public final class WideBvh {
      *     large
      */
     public static WideBvh build(PrimitiveSet set, int width, int threads) {
-        PrimitiveRecords records = PrimitiveRecords.of(set);
-        try {
-            return new WideBvh(width, records, BinnedSahBuilder.build(records, width, threads));
-        } catch (ArithmeticException e) {
-            throw new IllegalArgumentException("too many primitives for one index: " + set.size(), e);
+        return ForkJoinRange.inPool(set.size() < FORK_SIZE ? 1 : threads, () -> {
+            PrimitiveRecords records = new PrimitiveRecords(set);
+            try {
+                return new WideBvh(width, records, BinnedSahBuilder.build(records, width));
+            } catch (ArithmeticException e) {
+                throw new IllegalArgumentException("too many primitives for one index: " + set.size(), e);
+            }
+        });
+    }
+
+    /**
+     * Gathers the children of wide nodes, opening the child of largest area until there are as many as fit, and counts
+     * nodes and blocks.
+     *
+     * @param scratch room for the children of one node
+     * @return depth of the tree
+     */
+    private int gather(BinaryNode node, PrimitiveRecords records, BinaryNode[] scratch) {
+        if (node.isLeaf()) {
+            node.blocks = records.isTriangle(node.start) ? 1 : 0;
+            return 1;
         }
-    }
-
-    private boolean isTriangle(BinaryNode node, PrimitiveRecords records) {
-        return records.number(node.start) < triangleCount;
-    }
-
-    /** Children of a wide node: opens the child of largest area until there are as many as fit. */
-    private int gather(BinaryNode node, BinaryNode[] children) {
-        children[0] = node.left();
-        children[1] = node.right();
+        scratch[0] = node.left();
+        scratch[1] = node.right();
         int count = 2;
         while (count < width) {
             int largest = -1;
             float area = Float.NEGATIVE_INFINITY;
             for (int i = 0; i < count; i++) {
-                if (!children[i].isLeaf() && children[i].halfArea() > area) {
-                    area = children[i].halfArea();
+                if (!scratch[i].isLeaf() && scratch[i].halfArea() > area) {
+                    area = scratch[i].halfArea();
                     largest = i;
                 }
             }
             if (largest < 0) {
                 break;
             }
-            BinaryNode opened = children[largest];
-            children[largest] = opened.left();
-            children[count++] = opened.right();
+            BinaryNode opened = scratch[largest];
+            scratch[largest] = opened.left();
+            scratch[count++] = opened.right();
         }
-        return count;
-    }
-
-    private void count(BinaryNode node, PrimitiveRecords records, int[] counts) {
-        if (node.isLeaf()) {
-            if (isTriangle(node, records)) {
-                counts[1]++;
+        BinaryNode[] children = Arrays.copyOf(scratch, count);
+        node.wideChildren = children;
+        int[] depths = new int[count];
+        if (node.count >= FORK_SIZE) {
+            ForkJoinRange.run(count, 1, (from, to) -> {
+                BinaryNode[] own = new BinaryNode[width];
+                for (int i = from; i < to; i++) {
+                    depths[i] = gather(children[i], records, own);
+                }
+            });
+        } else {
+            for (int i = 0; i < count; i++) {
+                depths[i] = gather(children[i], records, scratch);
             }
-            return;
         }
-        counts[0]++;
-        BinaryNode[] children = new BinaryNode[width];
-        int n = gather(node, children);
-        for (int i = 0; i < n; i++) {
-            count(children[i], records, counts);
+        node.wideNodes = 1;
+        int deepest = 0;
+        for (int i = 0; i < count; i++) {
+            node.wideNodes += children[i].wideNodes;
+            node.blocks += children[i].blocks;
+            deepest = Math.max(deepest, depths[i]);
         }
+        return 1 + deepest;
     }
 
-    private int write(BinaryNode node, PrimitiveRecords records, int level) {
-        depth = Math.max(depth, level);
-        if (node.isLeaf()) {
-            return isTriangle(node, records)
-                    ? ~writeBlock(node, records)
-                    : ~((records.number(node.start) - triangleCount) << 1 | 1);
+    /**
+     * Writes a subtree.
+     *
+     * @param at offset of its first node
+     * @param block offset of its first block
+     * @return reference to it
+     */
+    private int write(BinaryNode node, PrimitiveRecords records, int at, int block) {
+        BinaryNode[] children = node.wideChildren;
+        if (children == null) {
+            if (!records.isTriangle(node.start)) {
+                return ~((records.number(node.start) - triangleCount) << 1 | 1);
+            }
+            writeBlock(node, records, block);
+            return ~block;
         }
-        int at = nodeEnd;
-        nodeEnd += 7 * width;
-        BinaryNode[] children = new BinaryNode[width];
-        int n = gather(node, children);
+        int n = children.length;
+        int[] nodeOffsets = new int[n];
+        int[] blockOffsets = new int[n];
+        int nextNode = at + 7 * width;
+        int nextBlock = block;
         for (int i = 0; i < n; i++) {
             writeBox(at + i, children[i]);
+            nodeOffsets[i] = nextNode;
+            blockOffsets[i] = nextBlock;
+            nextNode += 7 * width * children[i].wideNodes;
+            nextBlock += 9 * width * children[i].blocks;
         }
         for (int i = n; i < width; i++) {
             for (int plane = 0; plane < 6; plane++) {
                 data[at + plane * width + i] = plane < 3 ? Float.POSITIVE_INFINITY : Float.NEGATIVE_INFINITY;
             }
         }
-        for (int i = 0; i < n; i++) {
-            data[at + 6 * width + i] = Float.intBitsToFloat(write(children[i], records, level + 1));
+        ForkJoinRange.Body body = (from, to) -> {
+            for (int i = from; i < to; i++) {
+                int reference = write(children[i], records, nodeOffsets[i], blockOffsets[i]);
+                data[at + 6 * width + i] = Float.intBitsToFloat(reference);
+            }
+        };
+        if (node.count >= FORK_SIZE) {
+            ForkJoinRange.run(n, 1, body);
+        } else {
+            body.run(0, n);
         }
         return at;
     }
@@ -156,9 +189,7 @@ public final class WideBvh {
         data[at + 5 * width] = BoxWidening.up(node.maxZ, margin);
     }
 
-    private int writeBlock(BinaryNode node, PrimitiveRecords records) {
-        int block = blockEnd;
-        blockEnd += 9 * width;
+    private void writeBlock(BinaryNode node, PrimitiveRecords records, int block) {
         int first = triangle(block);
         float[] positions = records.set.positions();
         int[] corners = records.set.triangles();
@@ -169,12 +200,11 @@ public final class WideBvh {
             for (int corner = 0; corner < 3; corner++) {
                 int vertex = 3 * corners[3 * number + corner];
                 for (int axis = 0; axis < 3; axis++) {
-                    data[at] = PrimitiveRecords.scaled(positions[vertex + axis], scale);
+                    data[at] = records.scaled(positions[vertex + axis]);
                     at += width;
                 }
             }
         }
-        return block;
     }
 
     /** Nodes and blocks; see the class comment. */

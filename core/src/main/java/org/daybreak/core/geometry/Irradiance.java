@@ -1,5 +1,7 @@
 package org.daybreak.core.geometry;
 
+import org.daybreak.core.math.Arcs;
+
 /**
  * Irradiance of uniform emitters without occlusion, exact or estimated. Pure functions. They weigh lights against each
  * other, so an estimate must be good to some ten percent, cheap, and positive where the truth is.
@@ -37,7 +39,7 @@ final class Irradiance {
         double sineTheta = Math.sqrt(Math.max(0, 1 - cosine * cosine));
         double y = Math.max(-1, Math.min(1, -x * cosine / sineTheta));
         double s = sineTheta * Math.sqrt((1 - y) * (1 + y));
-        double exact = (cosine * Math.acos(y) - x * s + Math.atan2(s, x) / sineSquared) / Math.PI;
+        double exact = (cosine * Arcs.acos(y) - x * s + Arcs.atan2(s, x) / sineSquared) / Math.PI;
         return Math.max(exact, 0.05 * flat);
     }
 
@@ -141,8 +143,7 @@ final class Irradiance {
      */
     private static double angleOverSine(double cosine) {
         double x = Math.min(Math.abs(cosine), 1);
-        double acute = 1.57061462
-                + x * (-0.99075111 + x * (0.70437805 + x * (-0.38999851 + x * 0.10585294)));
+        double acute = 1.57061462 + x * (-0.99075111 + x * (0.70437805 + x * (-0.38999851 + x * 0.10585294)));
         return cosine >= 0 ? acute : Math.PI / Math.sqrt(Math.max(1 - x * x, 1e-12)) - acute;
     }
 }

@@ -11,7 +11,7 @@ final class ParallelogramSampler implements SurfaceSampler {
     private static final double RIGHT_ANGLE = 1e-5;
 
     /** From this many radii away the integrand varies by less than a tenth, so cheap sampling by area is as good. */
-    private static final double SQUARED_FAR = 15 * 15;
+    private static final double SQUARED_FAR = 4;
 
     /** The estimate of the irradiance from the centre alone is good from this many radii away. */
     private static final double SQUARED_MIDDLE = 3 * 3;

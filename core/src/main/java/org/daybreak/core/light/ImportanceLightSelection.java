@@ -28,7 +28,7 @@ public final class ImportanceLightSelection implements LightSelection {
     @Override
     public int choose(double px, double py, double pz, double nx, double ny, double nz, double u) {
         if (lights.length == 1) {
-            return importance(0, px, py, pz, nx, ny, nz) > 0 ? 0 : -1;
+            return 0;
         }
         // Most scenes have up to four lights. Their estimates fit into variables and need not be computed twice.
         double w0 = importanceIfAny(0, px, py, pz, nx, ny, nz);
@@ -47,9 +47,8 @@ public final class ImportanceLightSelection implements LightSelection {
         double left = u;
         int last = -1;
         for (int i = 0; candidates > 0 && i < lights.length; i++) {
-            double importance = i > 3
-                    ? importance(i, px, py, pz, nx, ny, nz)
-                    : i == 0 ? w0 : i == 1 ? w1 : i == 2 ? w2 : w3;
+            double importance =
+                    i > 3 ? importance(i, px, py, pz, nx, ny, nz) : i == 0 ? w0 : i == 1 ? w1 : i == 2 ? w2 : w3;
             if (importance > 0) {
                 last = i;
                 left -= mix(importance, total, candidates);
@@ -63,6 +62,9 @@ public final class ImportanceLightSelection implements LightSelection {
 
     @Override
     public double probability(int light, double px, double py, double pz, double nx, double ny, double nz) {
+        if (lights.length == 1) {
+            return 1;
+        }
         double own = importance(light, px, py, pz, nx, ny, nz);
         if (!(own > 0)) {
             return 0;

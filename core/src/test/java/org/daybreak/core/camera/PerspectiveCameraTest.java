@@ -104,7 +104,7 @@ class PerspectiveCameraTest {
                             return true;
                         },
                         (x, y, z) -> camera.rayDensity(ox, oy, oz, x, y, z, ray) ? ray.densityDirection : 0)
-                .cells(31, 31)
+                .cells(21, 21)
                 .samples(50_000)
                 .depth(5, 7)
                 .assertAgrees(Significance.sidak(SIGNIFICANCE, cases().size()));

@@ -4,12 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.function.Supplier;
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.StreamDomain;
+import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -147,6 +150,33 @@ class BsdfContractTest {
         assertEquals(value.g / density, weight.g, 1e-9 * weight.g, where);
         assertEquals(value.b / density, weight.b, 1e-9 * weight.b, where);
         return true;
+    }
+
+    /** Evaluation and sampling run for every vertex of every path. */
+    @ParameterizedTest
+    @MethodSource("materials")
+    void nothingIsAllocated(BsdfCases.Case material) {
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        Assumptions.assumeTrue(threads.isThreadAllocatedMemorySupported());
+        long least = Long.MAX_VALUE;
+        // The first rounds load classes and let the measurement itself settle.
+        for (int round = 0; round < 5; round++) {
+            long before = threads.getCurrentThreadAllocatedBytes();
+            exercise(material.bsdf());
+            least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
+        }
+        assertTrue(least < 1000, material.name() + ": " + least + " bytes in 1000 calls");
+    }
+
+    private void exercise(Bsdf bsdf) {
+        for (int i = 0; i < 1000; i++) {
+            double u = (i + 0.5) / 1000;
+            double v = 0.618034 * i % 1;
+            bsdf.sample(point, 0.6, 0, 0.8, u, v, 0.7548777 * i % 1, TransportMode.RADIANCE, sample);
+            bsdf.evaluate(point, 0.6, 0, 0.8, sample.wiX, sample.wiY, sample.wiZ, TransportMode.IMPORTANCE, value);
+            bsdf.density(point, 0.6, 0, 0.8, sample.wiX, sample.wiY, sample.wiZ, TransportMode.RADIANCE);
+            bsdf.albedo(point, value);
+        }
     }
 
     @Test

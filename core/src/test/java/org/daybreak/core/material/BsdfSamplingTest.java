@@ -21,7 +21,7 @@ import org.junit.jupiter.api.TestFactory;
  */
 class BsdfSamplingTest {
     private static final double FALSE_ALARM = 1e-4;
-    private static final int SAMPLES = 60_000;
+    private static final int SAMPLES = 40_000;
 
     @TestFactory
     Stream<DynamicTest> samplesFollowTheDensity() {
@@ -65,7 +65,7 @@ class BsdfSamplingTest {
                         (x, y, z) -> bsdf.density(point, wo.x(), wo.y(), wo.z(), x, y, z, mode))
                 .samples(SAMPLES)
                 .seed(seed)
-                .cells(35, 21)
+                .cells(31, 17)
                 .equalAngles()
                 .assertAgrees(level);
     }

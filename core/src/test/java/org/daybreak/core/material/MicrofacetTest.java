@@ -63,6 +63,64 @@ class MicrofacetTest {
         }
     }
 
+    /**
+     * Means over sampled normals equal integrals over the density of visible normals. By quadrature of both, so that
+     * errors of a few parts in 10⁴ show, which χ² tests would miss.
+     */
+    @ParameterizedTest
+    @EnumSource
+    void sampledNormalsFollowTheVisibleOnes(Microfacet.Kind kind) {
+        double[] nodes = GaussLegendre.nodes(200);
+        double[] weights = GaussLegendre.weights(nodes);
+        BsdfSample normal = new BsdfSample();
+        for (double alpha : new double[] {0.05, 0.4, 1}) {
+            for (double cosine : new double[] {1, 0.7, 0.2, 0.02}) {
+                double woX = Math.sqrt(1 - cosine * cosine) * Math.cos(0.6);
+                double woY = Math.sqrt(1 - cosine * cosine) * Math.sin(0.6);
+                double masking = Microfacet.maskingOverCosine(kind, alpha, cosine);
+                double[] sampled = new double[3];
+                double[] integrated = new double[3];
+                for (int i = 0; i < nodes.length; i++) {
+                    double u = 0.5 * (1 - Math.cos(Math.PI * nodes[i]));
+                    double du = weights[i] * 0.5 * Math.PI * Math.sin(Math.PI * nodes[i]);
+                    double tan = alpha * nodes[i] / (1 - nodes[i]);
+                    double cos = 1 / Math.sqrt(1 + tan * tan);
+                    double sin = tan * cos;
+                    double solid = weights[i] * sin * cos * cos * alpha / ((1 - nodes[i]) * (1 - nodes[i]));
+                    for (int j = 0; j < nodes.length; j++) {
+                        double v = 0.5 * (1 - Math.cos(Math.PI * nodes[j]));
+                        double dv = weights[j] * 0.5 * Math.PI * Math.sin(Math.PI * nodes[j]);
+                        Microfacet.sampleVisibleNormal(kind, alpha, woX, woY, cosine, u, v, normal);
+                        addTo(sampled, alpha, normal.wiX, normal.wiY, normal.wiZ, du * dv);
+                    }
+                    int turns = 600;
+                    for (int j = 0; j < turns; j++) {
+                        double phi = 2 * Math.PI * (j + 0.5) / turns;
+                        double x = sin * Math.cos(phi);
+                        double y = sin * Math.sin(phi);
+                        double visible = Math.max(0, woX * x + woY * y + cosine * cos)
+                                * masking
+                                * Microfacet.distribution(kind, alpha, x, y, cos);
+                        addTo(integrated, alpha, x, y, cos, visible * solid * 2 * Math.PI / turns);
+                    }
+                }
+                for (int i = 0; i < 3; i++) {
+                    assertEquals(integrated[i], sampled[i], 2e-4, "alpha " + alpha + ", cosine " + cosine + ", " + i);
+                }
+            }
+        }
+    }
+
+    /** Bounded smooth functions of the slopes: width, and the shift along both axes. */
+    private static void addTo(double[] sums, double alpha, double x, double y, double z, double weight) {
+        double slopeX = x / (alpha * z);
+        double slopeY = y / (alpha * z);
+        double bounded = weight / (1 + slopeX * slopeX + slopeY * slopeY);
+        sums[0] += bounded;
+        sums[1] += bounded * slopeX;
+        sums[2] += bounded * slopeX * slopeY;
+    }
+
     @ParameterizedTest
     @EnumSource
     void maskingIsBounded(Microfacet.Kind kind) {

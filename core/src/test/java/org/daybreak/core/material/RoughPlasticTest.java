@@ -18,13 +18,13 @@ class RoughPlasticTest {
      * measures 0.09482 and 0.03945) and T what it lets through; R_int cancels, as no energy is lost inside.
      */
     @ParameterizedTest
-    @CsvSource({"1.9, 0.0948, 0.9070", "1.5, 0.0395, 0.9024"})
+    @CsvSource({"1.9, 0.09482, 0.9070", "1.5, 0.03945, 0.9024"})
     void furnace(double ior, double specular, double total) {
         Texture white = BsdfCases.white();
         Bsdf black = new RoughPlastic(Microfacet.Kind.GGX, 0.12, ior, 1, ConstantTexture.grey(0), white, false);
-        assertEquals(specular, reflected(black, 1), 5e-5);
+        assertEquals(specular, reflected(black, 1, 128), 5e-5);
         Bsdf grey = new RoughPlastic(Microfacet.Kind.GGX, 0.12, ior, 1, ConstantTexture.grey(0.9), white, false);
-        assertEquals(total, reflected(grey, 1), 1e-4);
+        assertEquals(total, reflected(grey, 1, 128), 1e-4);
     }
 
     /** A white base returns all that enters: only light scattered more than once between facets is missing. */
@@ -36,7 +36,7 @@ class RoughPlasticTest {
             for (double alpha : new double[] {0.01, 0.1, 0.4, 1}) {
                 Bsdf plastic = new RoughPlastic(kind, alpha, ior, 1, white, white, false);
                 for (double cosine : new double[] {1, 0.7, 0.3, 0.1, 0.03}) {
-                    double energy = reflected(plastic, cosine);
+                    double energy = reflected(plastic, cosine, 64);
                     String where = String.format(Locale.ROOT, "ior %s, alpha %s, cosine %s", ior, alpha, cosine);
                     // The table of T, linear between its entries, is off by up to 2e-4.
                     assertTrue(energy <= 1 + 3e-4, where + ": " + energy);
@@ -80,7 +80,7 @@ class RoughPlasticTest {
 
     @Test
     void tablesAreTheIntegrals() {
-        double[] nodes = GaussLegendre.nodes(200);
+        double[] nodes = GaussLegendre.nodes(120);
         double[] weights = GaussLegendre.weights(nodes);
         for (Microfacet.Kind kind : Microfacet.Kind.values()) {
             for (double alpha : new double[] {0.01, 0.12, 0.5, 1}) {
@@ -94,11 +94,11 @@ class RoughPlasticTest {
     }
 
     /** ∫ f cos over the hemisphere, by quadrature over half vectors for the coating and cosines for the base. */
-    private static double reflected(Bsdf plastic, double woZ) {
+    private static double reflected(Bsdf plastic, double woZ, int nodeCount) {
         // The two lobes need different nodes; the sampling routine supplies both, with its own weights.
         double woX = Math.sqrt(1 - woZ * woZ);
         BsdfSample sample = new BsdfSample();
-        double[] nodes = GaussLegendre.nodes(96);
+        double[] nodes = GaussLegendre.nodes(nodeCount);
         double[] weights = GaussLegendre.weights(nodes);
         double split = probabilityOfDiffuse(plastic, woX, woZ);
         double sum = 0;

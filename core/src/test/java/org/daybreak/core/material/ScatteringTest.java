@@ -132,7 +132,7 @@ class ScatteringTest {
     @MethodSource("materials")
     void samplingAndEvaluationIntegrateToTheSame(BsdfCases.Case material) {
         Bsdf bsdf = material.bsdf();
-        int points = 10;
+        int points = 6;
         double level = Significance.sidak(1e-4, materials().size() * points * 2);
         RandomStream random = new RandomStream(4, StreamDomain.SELF_CHECK, 0, 0);
         for (int i = 0; i < points; i++) {

@@ -10,7 +10,7 @@ import java.nio.charset.StandardCharsets;
  * from one to the other.
  */
 final class ByteSource implements Closeable {
-    private static final int CAPACITY = 1 << 18;
+    private static final int CAPACITY = 1 << 16;
     private static final int LONGEST_TOKEN = 1 << 12;
 
     /** The bits of a double that a float has no room for, and their value half-way between two floats. */

@@ -232,10 +232,10 @@ final class XmlFileParser {
             SourceLocation location,
             List<String> required,
             List<String> optional) {
-        TreeSet<String> known = new TreeSet<>(required);
-        known.addAll(optional);
         for (String name : attributes.keySet()) {
-            if (!known.contains(name)) {
+            if (!required.contains(name) && !optional.contains(name)) {
+                Set<String> known = new TreeSet<>(required);
+                known.addAll(optional);
                 problems.unknownName(location, "<" + element + "> has no attribute '" + name + "'", name, known);
             }
         }
