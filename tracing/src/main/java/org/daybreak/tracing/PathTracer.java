@@ -112,7 +112,7 @@ final class PathTracer implements RayProcessor {
             }
             boolean roulette = edges >= rrDepth;
             sampler.setDimension(Dimensions.choices(vertex));
-            double lobe = sampler.next();
+            double lobe = bsdf.choosesLobe() ? sampler.next() : 0;
             double lightChoice = severalLights || roulette ? sampler.next() : 0.5;
             double survival = roulette ? sampler.next() : 0;
             if (lit && !last && bsdf.connectable()) {

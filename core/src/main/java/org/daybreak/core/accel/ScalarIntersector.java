@@ -36,17 +36,19 @@ final class ScalarIntersector implements Intersector {
         root = layout.root;
         stackSize = layout.depth + 2;
         scale = records.scale;
-        bounds = records.bounds.clone();
-        for (int i = 0; i < 6; i++) {
-            bounds[i] = (float) (bounds[i] / scale);
-        }
+        bounds = records.bounds;
         primitiveCount = records.set.size();
     }
 
     static ScalarIntersector build(PrimitiveSet set, int threads) {
-        PrimitiveRecords records = PrimitiveRecords.of(set);
-        BinaryNode root = BinnedSahBuilder.build(records, LEAF_WIDTH, threads);
-        return new ScalarIntersector(new Layout(records, root), records);
+        return ForkJoinRange.inPool(threads, () -> {
+            PrimitiveRecords records = new PrimitiveRecords(set);
+            try {
+                return new ScalarIntersector(new Layout(records, BinnedSahBuilder.build(records, LEAF_WIDTH)), records);
+            } catch (ArithmeticException e) {
+                throw new IllegalArgumentException("too many primitives for one index: " + set.size(), e);
+            }
+        });
     }
 
     private static int triangleLeaf(int start, int count) {
@@ -75,7 +77,7 @@ final class ScalarIntersector implements Intersector {
             nodes = new float[Math.multiplyExact(NODE, tree == null ? 0 : innerNodes(tree))];
             int kept = 0;
             for (int i = 0; i < records.count; i++) {
-                if (records.number(i) < triangleCount) {
+                if (records.isTriangle(i)) {
                     kept++;
                 }
             }
@@ -105,7 +107,7 @@ final class ScalarIntersector implements Intersector {
         }
 
         private int writeLeaf(BinaryNode node) {
-            if (records.number(node.start) >= triangleCount) {
+            if (!records.isTriangle(node.start)) {
                 return otherLeaf(records.number(node.start) - triangleCount);
             }
             int start = triangleEnd;
@@ -118,7 +120,7 @@ final class ScalarIntersector implements Intersector {
                     int vertex = 3 * corners[3 * number + corner];
                     for (int axis = 0; axis < 3; axis++) {
                         triangles[TRIANGLE * triangleEnd + 3 * corner + axis] =
-                                PrimitiveRecords.scaled(positions[vertex + axis], records.scale);
+                                records.scaled(positions[vertex + axis]);
                     }
                 }
                 triangleEnd++;

@@ -111,7 +111,7 @@ public final class SurfaceCase {
         for (int sign = -1; sign <= 1; sign += 2) {
             double t = (-b + sign * Math.sqrt(discriminant)) / a;
             double z = o[2] + t * d[2];
-            boolean inside = shape instanceof Sphere || z >= 0 && z <= 1;
+            boolean inside = shape instanceof Sphere || (z >= 0 && z <= 1);
             if (inside && accept(t, o[0] + t * d[0], o[1] + t * d[1], height * z, px, py, pz, dx, dy, dz, out)) {
                 return true;
             }
