@@ -140,7 +140,8 @@ final class PathTracer implements RayProcessor {
                 scatterDensity = scattered.delta ? Double.POSITIVE_INFINITY : scattered.density;
                 direct.leave(here);
                 if (roulette) {
-                    double probability = Math.min(LARGEST_SURVIVAL, Math.max(r, Math.max(g, b)) / (ROULETTE_THROUGHPUT * etaScale));
+                    double probability =
+                            Math.min(LARGEST_SURVIVAL, Math.max(r, Math.max(g, b)) / (ROULETTE_THROUGHPUT * etaScale));
                     if (survival >= probability) {
                         return true;
                     }
