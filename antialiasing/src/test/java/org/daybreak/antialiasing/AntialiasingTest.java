@@ -71,8 +71,10 @@ final class AntialiasingTest {
         assertEquals(
                 List.of("sobol", "stratified", "grid", "none"),
                 factories().stream().map(AntialiasingFactory::id).toList());
-        factories().forEach(f -> assertEquals(
-                f.id(), f.create(ParameterValues.defaults(f.parameters())).id()));
+        factories()
+                .forEach(f -> assertEquals(
+                        f.id(),
+                        f.create(ParameterValues.defaults(f.parameters())).id()));
     }
 
     @Test
@@ -99,8 +101,7 @@ final class AntialiasingTest {
     @Test
     void gridWithoutJitterSamplesTheCentresOfCells() {
         double[][] positions = positions(method("grid", Map.of("gridSize", "2", "jitter", "false")), 4, 4);
-        assertArrayEquals(
-                new double[][] {{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}}, positions);
+        assertArrayEquals(new double[][] {{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}}, positions);
     }
 
     @Test

@@ -173,8 +173,7 @@ final class DirectLight {
         }
         double weight = 1;
         if (scatterDensity < Double.POSITIVE_INFINITY) {
-            double chosen =
-                    single ? 1 : selection.probability(index, fromX, fromY, fromZ, fromNx, fromNy, fromNz);
+            double chosen = single ? 1 : selection.probability(index, fromX, fromY, fromZ, fromNx, fromNy, fromNz);
             double density = chosen * met.incidentDensity(fromX, fromY, fromZ, hit, dx, dy, dz);
             weight = powerHeuristic(scatterDensity, density);
         }

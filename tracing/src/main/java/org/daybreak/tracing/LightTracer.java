@@ -23,7 +23,6 @@ import org.daybreak.core.scene.Scene;
  * light, group k the direction scattered at vertex k with the choice of lobe and Russian roulette.
  */
 final class LightTracer {
-    private static final double LARGEST_SURVIVAL = 0.95;
     private static final int GROUP = 4;
     /** Dimensions of choices that are made apart: the light and the points on the lens. */
     private static final int APART = 1 << 24;
@@ -136,7 +135,9 @@ final class LightTracer {
                     return finite;
                 }
                 if (edges >= rrDepth) {
-                    double probability = Math.min(LARGEST_SURVIVAL, Math.max(r, Math.max(g, b)) / start);
+                    double probability = Math.min(
+                            PathTracer.LARGEST_SURVIVAL,
+                            Math.max(r, Math.max(g, b)) / (PathTracer.ROULETTE_THROUGHPUT * start));
                     if (sampler.next() >= probability) {
                         return finite;
                     }

@@ -23,11 +23,7 @@ final class AgreementTest {
     @ValueSource(strings = {"2", "3", "-1"})
     void diffuseRoom(String maxDepth) {
         Scene scene = TestScenes.diffuseRoom(40, 24, ReconstructionFilter.BOX);
-        assertAgree(
-                scene,
-                Map.of("maxDepth", maxDepth),
-                Map.of("maxDepth", maxDepth, "rrDepth", "2"),
-                "G");
+        assertAgree(scene, Map.of("maxDepth", maxDepth), Map.of("maxDepth", maxDepth, "rrDepth", "2"), "G");
     }
 
     /** Near the edges of the film the two normalise differently, but estimate the same. */
@@ -55,10 +51,8 @@ final class AgreementTest {
     @Test
     void russianRouletteIsUnbiased() {
         Scene scene = TestScenes.cornell(40, 24);
-        double[][] early =
-                Rendering.blocks(Rendering.renderer("path", Map.of("rrDepth", "1")), scene, "R", 16, 64, 8);
-        double[][] late =
-                Rendering.blocks(Rendering.renderer("path", Map.of("rrDepth", "20")), scene, "R", 16, 64, 8);
+        double[][] early = Rendering.blocks(Rendering.renderer("path", Map.of("rrDepth", "1")), scene, "R", 16, 64, 8);
+        double[][] late = Rendering.blocks(Rendering.renderer("path", Map.of("rrDepth", "20")), scene, "R", 16, 64, 8);
         ZTest.assertNoneRejected("roulette", ZTest.tilesOfRuns(early, late), 1e-5);
     }
 }

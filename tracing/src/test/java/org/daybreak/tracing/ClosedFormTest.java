@@ -99,8 +99,7 @@ final class ClosedFormTest {
                 double x = half * (2 * (i + 0.5) / (size * n) - 1);
                 double z = half * (2 * (j + 0.5) / (size * n) - 1);
                 double d = Math.sqrt(4 + x * x + z * z);
-                expected[j / (4 * n) * blocks + i / (4 * n)] +=
-                        0.5 / Math.PI * 10 * 2 / (d * d * d) / (16.0 * n * n);
+                expected[j / (4 * n) * blocks + i / (4 * n)] += 0.5 / Math.PI * 10 * 2 / (d * d * d) / (16.0 * n * n);
             }
         }
         assertBlocks(Rendering.renderer(id, Map.of()), TestScenes.pointOverPlane(size), 32, 4, expected);

@@ -67,8 +67,7 @@ final class RenderersTest {
     void aCropIsPartOfTheWhole(String id) {
         Scene scene = TestScenes.diffuseRoom(40, 30, ReconstructionFilter.BOX);
         FilmImage whole = Rendering.image(Rendering.renderer(id, Map.of()), scene, 3, 2);
-        FilmSettings settings =
-                new FilmSettings(40, 30, new FilmSettings.Crop(7, 9, 20, 11), ReconstructionFilter.BOX);
+        FilmSettings settings = new FilmSettings(40, 30, new FilmSettings.Crop(7, 9, 20, 11), ReconstructionFilter.BOX);
         Film film = new Film(settings);
         Rendering.renderer(id, Map.of())
                 .render(scene, scene.camera(), film, Rendering.context(3, 1, RenderBudget.samples(2)));
@@ -153,11 +152,7 @@ final class RenderersTest {
         Scene scene = TestScenes.diffuseRoom(24, 16, ReconstructionFilter.BOX);
         Film film = new Film(scene.film());
         RenderReport report = Rendering.renderer("path", Map.of())
-                .render(
-                        scene,
-                        scene.camera(),
-                        film,
-                        Rendering.context(1, 2, new RenderBudget(1_000_000, 60, 0.1)));
+                .render(scene, scene.camera(), film, Rendering.context(1, 2, new RenderBudget(1_000_000, 60, 0.1)));
         assertFalse(report.cancelled());
         assertTrue(report.samplesPerPixel() < 1_000_000);
         assertTrue(film.relativeError() < 0.1 && film.relativeError() > 0.001);
@@ -169,11 +164,7 @@ final class RenderersTest {
         Film film = new Film(scene.film());
         Thread.currentThread().interrupt();
         RenderReport report = Rendering.renderer("path", Map.of())
-                .render(
-                        scene,
-                        scene.camera(),
-                        film,
-                        Rendering.context(1, 2, RenderBudget.samples(Integer.MAX_VALUE)));
+                .render(scene, scene.camera(), film, Rendering.context(1, 2, RenderBudget.samples(Integer.MAX_VALUE)));
         assertTrue(Thread.interrupted());
         assertTrue(report.cancelled());
     }
@@ -232,7 +223,9 @@ final class RenderersTest {
                         scene.camera(),
                         new Film(scene.film()),
                         Rendering.context(1, 3, RenderBudget.samples(4)));
-        assertEquals(List.of("camera", "light", "scattered", "shadow"), List.copyOf(report.raysByKind().keySet()));
+        assertEquals(
+                List.of("camera", "light", "scattered", "shadow"),
+                List.copyOf(report.raysByKind().keySet()));
         assertEquals(8L * 8 * 4, report.raysByKind().get("camera"));
         long scattered = report.raysByKind().get("scattered");
         assertTrue(scattered > 0 && scattered < 8 * 8 * 4);

@@ -54,7 +54,8 @@ final class Rendering {
     }
 
     /** Means of a channel over blocks of pixels, for each of several seeds. */
-    static double[][] blocks(Renderer renderer, Scene scene, String channel, int seeds, int samplesPerPixel, int block) {
+    static double[][] blocks(
+            Renderer renderer, Scene scene, String channel, int seeds, int samplesPerPixel, int block) {
         double[][] runs = new double[seeds][];
         for (int i = 0; i < seeds; i++) {
             runs[i] = blocks(image(renderer, scene, i + 1, samplesPerPixel), channel, block);
