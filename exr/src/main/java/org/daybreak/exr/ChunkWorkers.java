@@ -18,6 +18,9 @@ final class ChunkWorkers implements AutoCloseable {
     /** Below this many raw bytes the start of threads costs more than it brings. */
     private static final long MIN_PARALLEL_BYTES = 1 << 20;
 
+    /** Raw bytes, packed bytes and a codec's work space. */
+    static final int BUFFERS_PER_SLOT = 3;
+
     private final @Nullable ExecutorService pool;
     private final int slotCount;
 
@@ -25,11 +28,15 @@ final class ChunkWorkers implements AutoCloseable {
      * Starts the workers.
      *
      * @param threads most threads to use
-     * @param chunkCount number of chunks
-     * @param rawBytes bytes of all chunks together
+     * @param layout the chunks
      */
-    ChunkWorkers(int threads, int chunkCount, long rawBytes) {
-        int used = rawBytes < MIN_PARALLEL_BYTES ? 1 : Math.min(threads, chunkCount);
+    ChunkWorkers(int threads, ChunkLayout layout) {
+        int chunkCount = layout.chunkCount();
+        int used = Math.min(threads, chunkCount);
+        if (layout.rawBytes() < MIN_PARALLEL_BYTES
+                || !isRoomFor(2L * used * BUFFERS_PER_SLOT * layout.maxRawLength())) {
+            used = 1;
+        }
         if (used == 1) {
             pool = null;
             slotCount = 1;
@@ -42,6 +49,16 @@ final class ChunkWorkers implements AutoCloseable {
             // Twice the threads: one half is worked on while the other is read from or written to the file.
             slotCount = Math.min(2 * used, chunkCount);
         }
+    }
+
+    /**
+     * A thread of a pool that runs out of memory outside its task would leave the caller waiting for ever, so threads
+     * are only used where memory is ample; garbage that is not yet collected counts as used.
+     */
+    private static boolean isRoomFor(long bytes) {
+        Runtime runtime = Runtime.getRuntime();
+        long free = runtime.maxMemory() - runtime.totalMemory() + runtime.freeMemory();
+        return bytes < free / 2;
     }
 
     /** The number of chunks that are under way at a time; each needs buffers and a codec of its own. */

@@ -3,6 +3,7 @@ package org.daybreak.exr;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
@@ -60,17 +61,24 @@ public final class ExrReader {
             throw new IllegalArgumentException("the number of threads must be at least 1, not " + threads);
         }
         try (FileSource source = FileSource.open(file)) {
-            ExrHeader header = HeaderParser.parse(source);
-            if (!header.compression().isSupported()) {
-                throw source.error(header.compression().notSupported());
-            }
-            ChunkLayout layout = ChunkLayout.of(file, header, header.compression());
-            checkSize(source, header, layout);
-            long[] offsets = readOffsets(source, layout);
-            ExrImage image = allocate(source, header, layout);
-            readChunks(source, layout, offsets, image, threads);
-            return image;
+            return read(source, threads);
+        } catch (OutOfMemoryError e) {
+            // Caught here, where nothing refers to the image any more, so that there is room for the message.
+            throw new ImageFileException(file, "the image is too large for the Java heap", e);
         }
+    }
+
+    private static ExrImage read(FileSource source, int threads) throws ImageFileException {
+        ExrHeader header = HeaderParser.parse(source);
+        if (!header.compression().isSupported()) {
+            throw source.error(header.compression().notSupported());
+        }
+        ChunkLayout layout = ChunkLayout.of(source.path(), header, header.compression());
+        checkSize(source, header, layout);
+        long[] offsets = readOffsets(source, layout);
+        ExrImage image = allocate(source, header, layout);
+        readChunks(source, layout, offsets, image, threads);
+        return image;
     }
 
     /** Refuses claims that the rest of the file cannot meet, however well it is packed. */
@@ -83,6 +91,17 @@ public final class ExrReader {
         if (leastBytes > source.remaining() || layout.rawBytes() > mostRawBytes) {
             throw source.error("the file is truncated or its header damaged: " + source.length() + " bytes cannot hold "
                     + header.width() + " x " + header.height() + " pixels");
+        }
+        // Each sample is held in four bytes.
+        double neededBytes = 4.0 * layout.pixelCount() * header.channels().size()
+                + (double) ChunkWorkers.BUFFERS_PER_SLOT * layout.maxRawLength();
+        long heapBytes = Runtime.getRuntime().maxMemory();
+        if (neededBytes > heapBytes) {
+            throw source.error(String.format(
+                    Locale.ROOT,
+                    "the image is too large for the Java heap: it needs %.0f MB of %d MB",
+                    neededBytes / 1e6,
+                    heapBytes / 1_000_000));
         }
     }
 
@@ -146,7 +165,7 @@ public final class ExrReader {
 
     private static void readChunks(FileSource source, ChunkLayout layout, long[] offsets, ExrImage image, int threads)
             throws ImageFileException {
-        ChunkWorkers workers = new ChunkWorkers(threads, offsets.length, layout.rawBytes());
+        ChunkWorkers workers = new ChunkWorkers(threads, layout);
         Slot[] slots = new Slot[workers.slotCount()];
         try {
             for (int i = 0; i < slots.length; i++) {
@@ -165,8 +184,6 @@ public final class ExrReader {
             throw e;
         } catch (IOException e) {
             throw new ImageFileException(source.path(), "cannot be read: " + e.getMessage(), e);
-        } catch (OutOfMemoryError e) {
-            throw source.tooLarge((long) layout.maxRawLength() * slots.length);
         } finally {
             workers.close();
             for (Slot slot : slots) {

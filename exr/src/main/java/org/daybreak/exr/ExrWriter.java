@@ -58,7 +58,7 @@ public final class ExrWriter {
             throws IOException {
         long offset = file.getFilePointer();
         int count = layout.chunkCount();
-        ChunkWorkers workers = new ChunkWorkers(options.threads(), count, layout.rawBytes());
+        ChunkWorkers workers = new ChunkWorkers(options.threads(), layout);
         Slot[] slots = new Slot[workers.slotCount()];
         try {
             for (int i = 0; i < slots.length; i++) {

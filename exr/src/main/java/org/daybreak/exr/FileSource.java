@@ -204,7 +204,7 @@ final class FileSource implements Closeable {
         }
     }
 
-    ImageFileException tooLarge(long bytes) {
+    private ImageFileException tooLarge(long bytes) {
         return error("the image is too large for the Java heap, which cannot give another " + bytes + " bytes");
     }
 

@@ -79,7 +79,8 @@ class ExrDamageTest {
     void everyTruncationIsRefused() throws IOException {
         for (String name : new String[] {BASE, "none_half_smooth.exr", "zips_uint_smooth.exr", "decreasing.exr"}) {
             byte[] bytes = TestPatterns.fixture(name);
-            for (int length = 0; length < bytes.length; length++) {
+            // Every length within header and table, then a sample: the remainder is alike.
+            for (int length = 0; length < bytes.length; length += length < 900 ? 1 : 61) {
                 Path file = TestPatterns.put(directory, "cut.exr", Arrays.copyOf(bytes, length));
                 ImageFileException e = assertThrows(ImageFileException.class, () -> ExrReader.read(file));
                 String reason = e.reason();
@@ -255,8 +256,7 @@ class ExrDamageTest {
             "one_pixel.exr", "decreasing.exr", "layers.exr", BASE, "none_half_smooth.exr", "zips_float_noise.exr"
         };
         int refused = 0;
-        int mutations = 6000;
-        Path file = directory.resolve("mutated.exr");
+        int mutations = 4000;
         for (int i = 0; i < mutations; i++) {
             byte[] bytes = TestPatterns.fixture(names[i % names.length]);
             // Mostly the header and table, where a flip changes sizes and counts.
@@ -274,7 +274,7 @@ class ExrDamageTest {
             if (random.nextInt(8) == 0) {
                 bytes = Arrays.copyOf(bytes, random.nextInt(bytes.length));
             }
-            Files.write(file, bytes);
+            Path file = TestPatterns.put(directory, "mutated.exr", bytes);
             try {
                 ExrReader.read(file, 1);
             } catch (ImageFileException e) {

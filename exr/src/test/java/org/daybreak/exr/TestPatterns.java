@@ -94,9 +94,14 @@ final class TestPatterns {
         }
     }
 
-    /** Writes bytes to a file of their own. */
+    /**
+     * Writes bytes to a file. An old file is deleted first: some file systems flush a file to the disk that is cut to
+     * nothing and written again, which takes most of the time of a test with thousands of files.
+     */
     static Path put(Path directory, String name, byte[] bytes) throws IOException {
-        return Files.write(directory.resolve(name), bytes);
+        Path file = directory.resolve(name);
+        Files.deleteIfExists(file);
+        return Files.write(file, bytes);
     }
 
     /** Places at which ASCII text stands in bytes. */

@@ -243,9 +243,9 @@ final class BinnedSahBuilder {
             int x1 = d[i + 4];
             int y1 = d[i + 5];
             int z1 = d[i + 6];
-            int binX = (int) ((x0 + x1 - lowX) * factorX >>> 32);
-            int binY = (int) ((y0 + y1 - lowY) * factorY >>> 32);
-            int binZ = (int) ((z0 + z1 - lowZ) * factorZ >>> 32);
+            int binX = (int) (((x0 + x1 - lowX) * factorX) >>> 32);
+            int binY = (int) (((y0 + y1 - lowY) * factorY) >>> 32);
+            int binZ = (int) (((z0 + z1 - lowZ) * factorZ) >>> 32);
             extend(bins, BIN * binX, x0, y0, z0, x1, y1, z1);
             extend(bins, AXIS + BIN * binY, x0, y0, z0, x1, y1, z1);
             extend(bins, 2 * AXIS + BIN * binZ, x0, y0, z0, x1, y1, z1);
