@@ -157,12 +157,10 @@ final class PrimitiveRecords {
     }
 
     private synchronized void unite(float[] box) {
-        // The box of an empty range is inside out: taken as two points it would make everything infinite.
-        if (box[0] > box[3]) {
-            return;
+        if (box[0] <= box[3]) {
+            extend(bounds, box[0], box[1], box[2]);
+            extend(bounds, box[3], box[4], box[5]);
         }
-        extend(bounds, box[0], box[1], box[2]);
-        extend(bounds, box[3], box[4], box[5]);
     }
 
     private float[] boundOthers() {
