@@ -164,8 +164,7 @@ class LightSelectionTest {
         assertEquals(-1, two.choose(0, 0, 0, 0, 0, 1, 0.5));
         assertEquals(0, two.probability(0, 0, 0, 0, 0, 0, 1));
         assertEquals(1, two.choose(0, 0, 0, 0, 0, -1, 0.999));
-        assertEquals(
-                1, two.probability(0, 0, 0, 0, 0, 0, -1) + two.probability(1, 0, 0, 0, 0, 0, -1), 1e-15);
+        assertEquals(1, two.probability(0, 0, 0, 0, 0, 0, -1) + two.probability(1, 0, 0, 0, 0, 0, -1), 1e-15);
     }
 
     @Test
