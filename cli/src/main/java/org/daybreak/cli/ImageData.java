@@ -7,6 +7,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.daybreak.core.render.NearestName;
+import org.daybreak.exr.Box2i;
+import org.daybreak.exr.Chromaticities;
 import org.daybreak.exr.ExrAttribute;
 import org.daybreak.exr.ExrChannel;
 import org.daybreak.exr.ExrHeader;
@@ -15,6 +17,7 @@ import org.daybreak.exr.ExrReader;
 import org.daybreak.exr.Pfm;
 import org.daybreak.exr.PfmImage;
 import org.daybreak.exr.PixelType;
+import org.daybreak.exr.V2f;
 import org.daybreak.scenes.image.ImageLoader;
 
 /**
@@ -72,8 +75,8 @@ record ImageData(
         }
         Map<String, String> attributes = new LinkedHashMap<>();
         attributes.put("compression", header.compression().toString());
-        attributes.put("dataWindow", header.dataWindow().toString());
-        attributes.put("displayWindow", header.displayWindow().toString());
+        attributes.put("dataWindow", text(header.dataWindow()));
+        attributes.put("displayWindow", text(header.displayWindow()));
         header.attributes().forEach((name, value) -> attributes.put(name, text(value)));
         return new ImageData(image.width(), image.height(), "OpenEXR", types, channels, attributes);
     }
@@ -98,9 +101,19 @@ record ImageData(
                     ? Long.toString((long) number.value())
                     : Double.toString(number.value());
         } else if (value instanceof ExrAttribute.ChromaticitiesValue primaries) {
-            return primaries.value().toString();
+            Chromaticities p = primaries.value();
+            return "red " + text(p.red()) + ", green " + text(p.green()) + ", blue " + text(p.blue()) + ", white "
+                    + text(p.white());
         }
         return value.toString();
+    }
+
+    private static String text(Box2i box) {
+        return "(" + box.xMin() + ", " + box.yMin() + ") to (" + box.xMax() + ", " + box.yMax() + ")";
+    }
+
+    private static String text(V2f point) {
+        return "(" + point.x() + ", " + point.y() + ")";
     }
 
     private static ImageData pfm(PfmImage image) {

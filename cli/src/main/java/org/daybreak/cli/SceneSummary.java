@@ -49,9 +49,10 @@ final class SceneSummary {
         film(compiled.film(), lines);
         request(file.request(), lines);
         lines.put("index", compiled.intersector().describe());
+        // Prototypes have indices of their own, which a compiled scene does not show.
         lines.put(
-                "index memory",
-                String.format(Locale.ROOT, "%.2f MB", compiled.intersector().memoryBytes() * 1e-6));
+                summary.instances == 0 ? "index memory" : "top-level index",
+                String.format(Locale.ROOT, "%.3f MB", compiled.intersector().memoryBytes() * 1e-6));
         return lines;
     }
 
@@ -126,7 +127,17 @@ final class SceneSummary {
     }
 
     private static String bounds(Bounds bounds) {
-        return bounds.toString();
+        return bounds.minX() > bounds.maxX()
+                ? "empty"
+                : String.format(
+                        Locale.ROOT,
+                        "(%.4g, %.4g, %.4g) to (%.4g, %.4g, %.4g)",
+                        bounds.minX(),
+                        bounds.minY(),
+                        bounds.minZ(),
+                        bounds.maxX(),
+                        bounds.maxY(),
+                        bounds.maxZ());
     }
 
     private static String counts(Map<String, Long> counts) {

@@ -61,6 +61,9 @@ final class PrimitiveRecords {
         ForkJoinRange.run(triangleCount, GRAIN, (from, to) -> dropped.addAndGet(recordTriangles(from, to, steps)));
         recordOthers(dropped, steps);
         count = dropped.get() == 0 ? size : compact();
+        if (count == 0) {
+            clear(bounds);
+        }
     }
 
     private static float[] emptyBox() {

@@ -191,6 +191,7 @@ public final class WideBvh {
 
     private void writeBlock(BinaryNode node, PrimitiveRecords records, int block) {
         int first = triangle(block);
+        Arrays.fill(numbers, first + node.count, first + width, -1);
         float[] positions = records.set.positions();
         int[] corners = records.set.triangles();
         for (int lane = 0; lane < node.count; lane++) {
@@ -224,6 +225,16 @@ public final class WideBvh {
      */
     public int number(int block, int lane) {
         return numbers[triangle(block) + lane];
+    }
+
+    /** Number of lanes in use; they come first. */
+    int laneCount(int block) {
+        int first = triangle(block);
+        int count = 1;
+        while (count < width && numbers[first + count] >= 0) {
+            count++;
+        }
+        return count;
     }
 
     /** The primitives that are no triangles. */

@@ -7,7 +7,7 @@ import java.util.List;
  * them.
  *
  * <p>A small part of the choices is uniform among the lights that can contribute at all, so that an estimate that is too low
- * costs a bounded amount of variance.
+ * costs a bounded amount of variance. A single light is always chosen, without a look at it.
  */
 public final class ImportanceLightSelection implements LightSelection {
     /** Part of the choices that does not follow the estimates. */

@@ -158,12 +158,20 @@ class LightSelectionTest {
         LightSelection none = LightSelections.forLights(List.of());
         assertEquals(-1, none.choose(0, 0, 0, 0, 0, 1, 0.5));
         assertEquals(-1, none.chooseForEmission(0.5));
-        // A light behind the horizon cannot reach the point.
+        // Lights behind the horizon cannot reach the point.
+        LightSelection two = LightSelections.forLights(List.of(
+                new PointLight(0, 0, -1, new Spectrum(1, 1, 1)), new PointLight(1, 0, -1, new Spectrum(1, 1, 1))));
+        assertEquals(-1, two.choose(0, 0, 0, 0, 0, 1, 0.5));
+        assertEquals(0, two.probability(0, 0, 0, 0, 0, 0, 1));
+        assertEquals(1, two.choose(0, 0, 0, 0, 0, -1, 0.999));
+        assertEquals(1, two.probability(0, 0, 0, 0, 0, 0, -1) + two.probability(1, 0, 0, 0, 0, 0, -1), 1e-15);
+    }
+
+    @Test
+    void aSingleLightIsAlwaysChosen() {
         LightSelection one = LightSelections.forLights(List.of(new PointLight(0, 0, -1, new Spectrum(1, 1, 1))));
-        assertEquals(-1, one.choose(0, 0, 0, 0, 0, 1, 0.5));
-        assertEquals(0, one.probability(0, 0, 0, 0, 0, 0, 1));
-        assertEquals(0, one.choose(0, 0, 0, 0, 0, -1, 0.5));
-        assertEquals(1, one.probability(0, 0, 0, 0, 0, 0, -1), 1e-15);
+        assertEquals(0, one.choose(0, 0, 0, 0, 0, 1, 0.5));
+        assertEquals(1, one.probability(0, 0, 0, 0, 0, 0, 1));
     }
 
     @Test

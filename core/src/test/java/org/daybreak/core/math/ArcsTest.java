@@ -15,7 +15,7 @@ class ArcsTest {
             double x = random.nextDouble(-1, 1) * Math.scalb(1.0, random.nextInt(-60, 60));
             double expected = Math.atan2(y, x);
             assertTrue(
-                    Math.abs(Arcs.atan2(y, x) - expected) <= 8e-16 * Math.abs(expected),
+                    Math.abs(Arcs.atan2(y, x) - expected) <= 1.5e-15 * Math.abs(expected),
                     () -> y + ", " + x + ": " + Arcs.atan2(y, x) + " for " + expected);
         }
     }

@@ -1,0 +1,235 @@
+package org.daybreak.convergence;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Locale;
+import org.daybreak.core.render.Renderer;
+import org.daybreak.core.scene.Scene;
+import org.daybreak.core.testing.Grids;
+import org.daybreak.core.testing.Moments;
+import org.daybreak.core.testing.Significance;
+import org.daybreak.exr.ImageFileException;
+import org.daybreak.scenes.SceneFile;
+import org.daybreak.scenes.description.SceneException;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * Path tracing against images that other programs rendered, block by block of 10×10 reference pixels and as a whole.
+ *
+ * <p><b>Test.</b> Independent runs give the mean of each block and its variance. The difference to the reference is divided
+ * by the root of both variances and compared with Student's distribution; its degrees of freedom are those of the runs by
+ * Welch's formula, the variance of the reference, which is smoothed over many pixels, counting as known. All blocks and
+ * channels together have a false-alarm rate of 1e-4 per scene by Šidák's correction, which for the dependent channels is on
+ * the safe side; the means of the image have another 1e-4.
+ *
+ * <p><b>Heavy tails.</b> Rare bright paths make a block's mean over some tens of runs far from normal: most often they are
+ * missed or few, and mean and variance are both too small. Three things are done about that. The variance of a block is taken
+ * no smaller than the mean of that of the 3×3 blocks around it, which have likely met such a path. A block is left out if a
+ * single run holds more than two thirds of its sum of squares, of which the sign of the difference to the reference plays no
+ * part. And where the mean is below the reference, four times the square of the largest jump that one run makes anywhere in
+ * the mean of a block is added to the variance: with less than eleven such paths missing, which happens with probability
+ * 2e-5 or more, there is no alarm. So the test is sharp against light that is too much everywhere, against light that is
+ * missing where paths are not so rare, and by the mean of the image against both.
+ *
+ * <p>The number of blocks left out, these and those with a standard error of the reference over 10 %, is bounded.
+ *
+ * <p>In the ordinary build films are a fifth as wide and high: as both use the box filter and the same field of view, a
+ * pixel is then the mean of 5×5 pixels of the reference. Variant {@code reference} renders at full size.
+ */
+class ReferenceImagesTest {
+    private static final double SIGNIFICANCE = 1e-4;
+    private static final int RUNS = 32;
+    private static final double LARGEST_REFERENCE_ERROR = 0.1;
+    private static final double LARGEST_SHARE = 2.0 / 3;
+    private static final double UNSEEN_PATHS = 4;
+
+    /**
+     * @param scene its name
+     * @param block edge of a block in reference pixels
+     * @param samplesPerPixel samples per pixel and run
+     * @param uncertain largest part of the blocks that may be left out as the reference is too noisy there
+     * @param outliers largest part of the blocks that may be left out as single runs rule there
+     * @param detectable relative error of the brightness of the image that must be found
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "cornell_spheres, 20, 16, 0.01, 0.05, 0.02",
+        "gold_ring, 20, 64, 0.05, 0.25, 0.03",
+        "veach_room, 25, 12, 0.35, 0.2, 0.05",
+        "door_ajar, 25, 12, 0.35, 0.2, 0.05",
+    })
+    void pathTracingAgreesAtSmallSize(
+            String scene, int block, int samplesPerPixel, double uncertain, double outliers, double detectable)
+            throws SceneException, ImageFileException {
+        check(scene, 5, block, samplesPerPixel, uncertain, outliers, detectable);
+    }
+
+    /** As above, at full size. */
+    @Tag("reference")
+    @ParameterizedTest
+    @CsvSource({
+        "cornell_spheres, 10, 32, 0.01, 0.05, 0.005",
+        "gold_ring, 20, 64, 0.05, 0.25, 0.01",
+        "veach_room, 10, 16, 0.35, 0.2, 0.02",
+        "door_ajar, 10, 16, 0.35, 0.2, 0.02",
+    })
+    void pathTracingAgrees(
+            String scene, int block, int samplesPerPixel, double uncertain, double outliers, double detectable)
+            throws SceneException, ImageFileException {
+        check(scene, 1, block, samplesPerPixel, uncertain, outliers, detectable);
+    }
+
+    private static void check(
+            String name,
+            int shrink,
+            int block,
+            int samplesPerPixel,
+            double uncertain,
+            double outliers,
+            double detectable)
+            throws SceneException, ImageFileException {
+        SceneFile file = ShippedScenes.read(name + "/scene.xml");
+        ReferenceImage reference = ReferenceImage.of(name);
+        assertEquals(0, reference.width() % shrink + reference.height() % shrink + block % shrink, "pixels are whole");
+        Scene scene = ShippedScenes.compile(file.graph(), reference.width() / shrink, reference.height() / shrink);
+        Renderer renderer = Rendering.renderer("path", file.request().parameters());
+        Runs runs = Runs.of(renderer, scene, Long.getLong("seed", 5000), RUNS, samplesPerPixel);
+        Outcome right = compare(runs, reference, shrink, block, 1);
+        System.out.println(name + ": " + right);
+        assertTrue(
+                right.uncertain <= uncertain * right.blocks, () -> name + ": too many blocks are left out: " + right);
+        assertTrue(right.outliers <= outliers * right.blocks, () -> name + ": too many blocks are left out: " + right);
+        assertTrue(right.agrees(), () -> name + ": " + right);
+        for (double factor : new double[] {1 - detectable, 1 + detectable}) {
+            assertTrue(
+                    !compare(runs, reference, shrink, block, factor).agrees(),
+                    () -> String.format(
+                            Locale.ROOT, "%s: an image %.3f times as bright is not found out", name, factor));
+        }
+    }
+
+    /**
+     * Result of a comparison.
+     *
+     * @param blocks number of blocks of all channels
+     * @param uncertain those left out as the reference is too noisy there
+     * @param outliers those left out as single runs rule there
+     * @param rejected those that differ
+     * @param worst description of the block that differs most
+     * @param smallest its p-value
+     * @param meanPValue smallest p-value of the means of the image
+     */
+    private record Outcome(
+            int blocks, int uncertain, int outliers, int rejected, String worst, double smallest, double meanPValue) {
+        boolean agrees() {
+            return rejected == 0 && meanPValue >= Significance.sidak(SIGNIFICANCE, Runs.CHANNELS.size());
+        }
+    }
+
+    /** Compares the runs, made brighter by a factor, with the reference. */
+    private static Outcome compare(Runs runs, ReferenceImage reference, int shrink, int block, double factor) {
+        int columns = Grids.tiles(reference.width(), block);
+        int perChannel = columns * Grids.tiles(reference.height(), block);
+        double level = Significance.sidak(SIGNIFICANCE, Runs.CHANNELS.size() * perChannel);
+        int uncertain = 0;
+        int outliers = 0;
+        int rejected = 0;
+        String worst = "";
+        double smallest = 1;
+        double meanPValue = 1;
+        for (String channel : Runs.CHANNELS) {
+            double[][] blocks = Arrays.stream(runs.tiles(channel, block / shrink))
+                    .map(run -> Arrays.stream(run).map(v -> factor * v).toArray())
+                    .toArray(double[][]::new);
+            double[] expected = Grids.tileMeans(reference.values(channel), reference.width(), block);
+            double[] expectedVariance = Grids.tileMeans(reference.variances(channel), reference.width(), block);
+            double[] variance = new double[perChannel];
+            for (int i = 0; i < perChannel; i++) {
+                variance[i] = Runs.moments(blocks, i).varianceOfMean();
+                expectedVariance[i] *= reference.varianceOfMean(block * block);
+            }
+            double unseen = UNSEEN_PATHS * square(largestJump(blocks));
+            double[] around = ReferenceImage.boxMean(variance, columns, 3);
+            double[] imageMeans = Arrays.stream(blocks)
+                    .mapToDouble(run -> Arrays.stream(run).average().orElseThrow())
+                    .toArray();
+            for (int i = 0; i < perChannel; i++) {
+                if (Math.sqrt(expectedVariance[i]) > LARGEST_REFERENCE_ERROR * expected[i]) {
+                    uncertain++;
+                    continue;
+                }
+                if (largestShare(blocks, i) > LARGEST_SHARE) {
+                    outliers++;
+                    continue;
+                }
+                double mean = Runs.moments(blocks, i).mean();
+                double ours = Math.max(variance[i], around[i]);
+                double known = expectedVariance[i] + (mean < expected[i] ? unseen : 0);
+                double p = pValue(mean - expected[i], ours, known);
+                rejected += p < level ? 1 : 0;
+                if (p < smallest) {
+                    smallest = p;
+                    worst = String.format(
+                            Locale.ROOT,
+                            "%s of block (%d, %d): %.5g ± %.2g, expected %.5g ± %.2g",
+                            channel,
+                            i % columns,
+                            i / columns,
+                            mean,
+                            Math.sqrt(ours),
+                            expected[i],
+                            Math.sqrt(known));
+                }
+            }
+            double expectedMean = Arrays.stream(expected).average().orElseThrow();
+            double expectedMeanVariance =
+                    Arrays.stream(expectedVariance).average().orElseThrow() / perChannel;
+            Moments mean = Moments.of(imageMeans);
+            double p = pValue(mean.mean() - expectedMean, mean.varianceOfMean(), expectedMeanVariance);
+            meanPValue = Math.min(meanPValue, p);
+        }
+        return new Outcome(
+                Runs.CHANNELS.size() * perChannel, uncertain, outliers, rejected, worst, smallest, meanPValue);
+    }
+
+    /** p-value of a difference of the mean of the runs and a value with a known variance (Welch). */
+    private static double pValue(double difference, double variance, double knownVariance) {
+        double sum = variance + knownVariance;
+        double degreesOfFreedom = sum * sum / (variance * variance / (RUNS - 1));
+        return Significance.student(difference / Math.sqrt(sum), degreesOfFreedom);
+    }
+
+    /** By how much the brightest run of any block raises the mean of that block. */
+    private static double largestJump(double[][] runs) {
+        double largest = 0;
+        for (int block = 0; block < runs[0].length; block++) {
+            int column = block;
+            double[] values =
+                    Arrays.stream(runs).mapToDouble(run -> run[column]).sorted().toArray();
+            double median = 0.5 * (values[(RUNS - 1) / 2] + values[RUNS / 2]);
+            largest = Math.max(largest, values[RUNS - 1] - median);
+        }
+        return largest / RUNS;
+    }
+
+    private static double square(double x) {
+        return x * x;
+    }
+
+    /** The largest part that one run has in the sum of squared deviations from the mean. */
+    private static double largestShare(double[][] runs, int block) {
+        double mean = Runs.moments(runs, block).mean();
+        double sum = 0;
+        double largest = 0;
+        for (double[] run : runs) {
+            double square = (run[block] - mean) * (run[block] - mean);
+            sum += square;
+            largest = Math.max(largest, square);
+        }
+        return sum == 0 ? 0 : largest / sum;
+    }
+}
