@@ -25,6 +25,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -62,6 +63,9 @@ class ArchitectureTest {
 
     /** What single library modules may use besides. */
     private static final Map<String, Set<String>> EXTRA = Map.of("accel", Set.of("jdk.incubator.vector"));
+
+    private static final Pattern NULL_MARKED =
+            Pattern.compile("^@(org\\.jspecify\\.annotations\\.)?NullMarked$", Pattern.MULTILINE);
 
     private static JavaClasses all;
     private static JavaClasses libraries;
@@ -177,7 +181,8 @@ class ArchitectureTest {
         Set<String> bare = new TreeSet<>();
         for (Path source : mainSources()) {
             Path description = source.resolveSibling("package-info.java");
-            if (!Files.exists(description) || !Files.readString(description).contains("@NullMarked")) {
+            if (!Files.exists(description)
+                    || !NULL_MARKED.matcher(Files.readString(description)).find()) {
                 bare.add(ROOT.relativize(source.getParent()).toString());
             }
         }

@@ -85,8 +85,7 @@ final class ClosedForm {
         double inside = values[width / 2 * width + width / 2];
         double outside = values[0];
         double centre = 0.5 * width;
-        double edge =
-                centre * Math.tan(Math.asin(radius / distance)) / Math.tan(Math.toRadians(0.5 * fov));
+        double edge = centre * Math.tan(Math.asin(radius / distance)) / Math.tan(Math.toRadians(0.5 * fov));
         double[] exact = new double[values.length];
         int strips = 4096;
         for (int y = 0; y < width; y++) {

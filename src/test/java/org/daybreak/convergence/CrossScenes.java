@@ -65,7 +65,15 @@ final class CrossScenes {
         scenes.put("mirrored rectangle", new CrossScenes(2).room().emitter(new Rectangle(), mirrored, false).graph);
         scenes.put("chequered rectangle", new CrossScenes(3).room().chequeredEmitter(ceiling).graph);
         scenes.put("disk", new CrossScenes(4).room().emitter(new Disk(), ceiling, false).graph);
-        scenes.put("sphere", new CrossScenes(5).room().emitter(ball, Transform.translate(-0.3, 0.5, -0.2).multiply(Transform.scale(0.2, 0.2, 0.2)), false).graph);
+        scenes.put(
+                "sphere",
+                new CrossScenes(5)
+                        .room()
+                        .emitter(
+                                ball,
+                                Transform.translate(-0.3, 0.5, -0.2).multiply(Transform.scale(0.2, 0.2, 0.2)),
+                                false)
+                        .graph);
         scenes.put("ellipsoid", new CrossScenes(6).room().emitter(ball, floating, false).graph);
         scenes.put("flipped sphere", new CrossScenes(7).flippedSphere().graph);
         scenes.put("cylinder", new CrossScenes(8).room().emitter(tube, floating, false).graph);
@@ -76,16 +84,52 @@ final class CrossScenes {
         scenes.put("flipped meshes", new CrossScenes(13).room().sheets().graph);
         scenes.put("point", new CrossScenes(14).room().point().graph);
         scenes.put("spot", new CrossScenes(15).room().spot().graph);
-        scenes.put("constant environment", new CrossScenes(16).garden(new LightSource.ConstantEnvironment(new Color3f(0.8f, 1, 1.3f))).graph);
+        scenes.put(
+                "constant environment",
+                new CrossScenes(16).garden(new LightSource.ConstantEnvironment(new Color3f(0.8f, 1, 1.3f))).graph);
         scenes.put("image environment", new CrossScenes(17).garden(sky()).graph);
-        scenes.put("all kinds", new CrossScenes(18).room().emitter(new Disk(), ceiling, false).emitter(ball, floating, false).point().spot().graph);
-        scenes.put("shading normals", new CrossScenes(19).room().emitter(new Rectangle(), ceiling, false).globes().graph);
-        scenes.put("rough materials", new CrossScenes(20).room().emitter(new Rectangle(), ceiling, false).roughThings().graph);
-        scenes.put("veils", new CrossScenes(21).room().emitter(new Rectangle(), ceiling, false).veils().graph);
-        scenes.put("instances", new CrossScenes(22).room().emitter(new Rectangle(), ceiling, false).instances().graph);
+        scenes.put(
+                "all kinds",
+                new CrossScenes(18)
+                        .room()
+                        .emitter(new Disk(), ceiling, false)
+                        .emitter(ball, floating, false)
+                        .point()
+                        .spot()
+                        .graph);
+        scenes.put(
+                "shading normals",
+                new CrossScenes(19)
+                        .room()
+                        .emitter(new Rectangle(), ceiling, false)
+                        .globes()
+                        .graph);
+        scenes.put(
+                "rough materials",
+                new CrossScenes(20)
+                        .room()
+                        .emitter(new Rectangle(), ceiling, false)
+                        .roughThings()
+                        .graph);
+        scenes.put(
+                "veils",
+                new CrossScenes(21)
+                        .room()
+                        .emitter(new Rectangle(), ceiling, false)
+                        .veils()
+                        .graph);
+        scenes.put(
+                "instances",
+                new CrossScenes(22)
+                        .room()
+                        .emitter(new Rectangle(), ceiling, false)
+                        .instances()
+                        .graph);
         scenes.put("light in glass", new CrossScenes(23).lightInGlass().graph);
         scenes.put("inside of a glass sphere", new CrossScenes(24).insideOfGlass().graph);
-        scenes.put("thin lens", new CrossScenes(25).room().emitter(new Disk(), ceiling, false).thinLens().graph);
+        scenes.put(
+                "thin lens",
+                new CrossScenes(25).room().emitter(new Disk(), ceiling, false).thinLens().graph);
         return scenes;
     }
 
@@ -108,10 +152,14 @@ final class CrossScenes {
             for (int side = -1; side <= 1; side += 2) {
                 Transform turn = axis == 0
                         ? Transform.rotate(0, 1, 0, -90.0 * side)
-                        : axis == 1 ? Transform.rotate(1, 0, 0, 90.0 * side) : Transform.rotate(0, 1, 0, side > 0 ? 180 : 0);
+                        : axis == 1
+                                ? Transform.rotate(1, 0, 0, 90.0 * side)
+                                : Transform.rotate(0, 1, 0, side > 0 ? 180 : 0);
                 double distance = axis == 1 ? height : half;
                 Transform move = Transform.translate(
-                        axis == 0 ? side * distance : 0, axis == 1 ? side * distance : 0, axis == 2 ? side * distance : 0);
+                        axis == 0 ? side * distance : 0,
+                        axis == 1 ? side * distance : 0,
+                        axis == 2 ? side * distance : 0);
                 double high = axis == 1 ? half : height;
                 add(new Rectangle(), move.multiply(turn).multiply(Transform.scale(half, high, 1)), diffuse());
             }
@@ -120,7 +168,12 @@ final class CrossScenes {
 
     /** Things on a large disk under the open sky. */
     private CrossScenes garden(LightSource sky) {
-        add(new Disk(), Transform.translate(0, -1, 0).multiply(Transform.rotate(1, 0, 0, -90)).multiply(Transform.scale(2, 2, 1)), diffuse());
+        add(
+                new Disk(),
+                Transform.translate(0, -1, 0)
+                        .multiply(Transform.rotate(1, 0, 0, -90))
+                        .multiply(Transform.scale(2, 2, 1)),
+                diffuse());
         add(new Sphere(new Point3d(0.35, -0.65, -0.3), 0.35), Transform.identity(), diffuse());
         add(globe(10, 6), Transform.translate(-0.4, -0.6, 0).multiply(Transform.scale(0.3, 0.4, 0.3)), diffuse());
         graph.root()
@@ -192,8 +245,8 @@ final class CrossScenes {
     private CrossScenes spot() {
         graph.root()
                 .add(new LightNode(new LightSource.Spot(intensity(), 50, 20)))
-                .setTransform(
-                        Transform.lookAt(-0.2, 0.7, 0.3, 0.2, -0.6, -0.2, 0, 1, 0.1).toMatrix4d());
+                .setTransform(Transform.lookAt(-0.2, 0.7, 0.3, 0.2, -0.6, -0.2, 0, 1, 0.1)
+                        .toMatrix4d());
         return this;
     }
 
@@ -208,8 +261,8 @@ final class CrossScenes {
         Spectrum eta = new Spectrum(0.2, 0.92, 1.1);
         Spectrum k = new Spectrum(3.9, 2.45, 2.14);
         Bsdf metal = new RoughConductor(Microfacet.Kind.GGX, 0.35, eta, k, ConstantTexture.grey(1));
-        Bsdf plastic = new RoughPlastic(
-                Microfacet.Kind.BECKMANN, 0.4, 1.5, 1, color(0.2, 0.8), ConstantTexture.grey(1), true);
+        Bsdf plastic =
+                new RoughPlastic(Microfacet.Kind.BECKMANN, 0.4, 1.5, 1, color(0.2, 0.8), ConstantTexture.grey(1), true);
         add(new Sphere(new Point3d(0.5, 0.1, -0.4), 0.3), Transform.identity(), metal);
         add(globe(24, 14), Transform.translate(-0.45, 0.2, -0.5).multiply(Transform.scale(0.3, 0.3, 0.3)), plastic);
         return this;
@@ -218,10 +271,25 @@ final class CrossScenes {
     /** Half-transparent sheets before the camera and under the light, and a sheet with two sides. */
     private CrossScenes veils() {
         Bsdf veil = new Mask(color(0.3, 0.7), diffuse());
-        add(new Rectangle(), Transform.translate(0.1, 0.7, 0).multiply(Transform.rotate(1, 0, 0, 80)).multiply(Transform.scale(0.6, 0.5, 1)), veil);
-        add(new Disk(), Transform.translate(-0.2, -0.1, 0.2).multiply(Transform.rotate(0, 1, 0, 20)).multiply(Transform.scale(0.4, 0.4, 1)), veil);
+        add(
+                new Rectangle(),
+                Transform.translate(0.1, 0.7, 0)
+                        .multiply(Transform.rotate(1, 0, 0, 80))
+                        .multiply(Transform.scale(0.6, 0.5, 1)),
+                veil);
+        add(
+                new Disk(),
+                Transform.translate(-0.2, -0.1, 0.2)
+                        .multiply(Transform.rotate(0, 1, 0, 20))
+                        .multiply(Transform.scale(0.4, 0.4, 1)),
+                veil);
         Bsdf sheet = new TwoSided(diffuse(), diffuse());
-        add(new Rectangle(), Transform.translate(0.5, 0.2, -0.2).multiply(Transform.rotate(0, 1, 0.3, 70)).multiply(Transform.scale(0.3, 0.3, 1)), sheet);
+        add(
+                new Rectangle(),
+                Transform.translate(0.5, 0.2, -0.2)
+                        .multiply(Transform.rotate(0, 1, 0.3, 70))
+                        .multiply(Transform.scale(0.3, 0.3, 1)),
+                sheet);
         return this;
     }
 
@@ -231,8 +299,9 @@ final class CrossScenes {
         ShapeNode mesh = prototype.add(new ShapeNode(globe(6, 4), diffuse()));
         mesh.setTransform(Transform.scale(1, 0.6, 1).toMatrix4d());
         ShapeNode lamp = prototype.add(new ShapeNode(new Cube(), diffuse()));
-        lamp.setTransform(
-                Transform.translate(0, 0.9, 0).multiply(Transform.scale(0.2, 0.2, 0.4)).toMatrix4d());
+        lamp.setTransform(Transform.translate(0, 0.9, 0)
+                .multiply(Transform.scale(0.2, 0.2, 0.4))
+                .toMatrix4d());
         lamp.setRadiance(color(2, 6));
         graph.root()
                 .add(new Instance(prototype))
@@ -266,11 +335,9 @@ final class CrossScenes {
         box(2, 2);
         add(new Sphere(new Point3d(0, 0, 0), 1.3), Transform.identity(), glass());
         add(new Disk(), Transform.translate(0, -0.5, 0).multiply(Transform.rotate(1, 0, 0, -90)), diffuse());
-        add(new Sphere(new Point3d(-0.2, 0.7, -0.2), 0.2), Transform.identity(), diffuse()).setRadiance(color(1, 2));
-        add(
-                        new Rectangle(),
-                        Transform.translate(0, 1.95, 0).multiply(Transform.rotate(1, 0, 0, 90)),
-                        diffuse())
+        add(new Sphere(new Point3d(-0.2, 0.7, -0.2), 0.2), Transform.identity(), diffuse())
+                .setRadiance(color(1, 2));
+        add(new Rectangle(), Transform.translate(0, 1.95, 0).multiply(Transform.rotate(1, 0, 0, 90)), diffuse())
                 .setRadiance(color(2, 4));
         look(0.3, 0.5, 0.3, 0.05, -0.5, 0.05, 50, 0);
         return this;
@@ -290,8 +357,7 @@ final class CrossScenes {
     private void look(
             double x, double y, double z, double atX, double atY, double atZ, double fov, double apertureRadius) {
         Transform camera = Transform.lookAt(x, y, z, atX, atY, atZ, 0.05, 1, 0.1);
-        graph.setCamera(
-                new CameraSettings(camera.toMatrix4d(), fov, CameraSettings.FovAxis.X, apertureRadius, 1.2));
+        graph.setCamera(new CameraSettings(camera.toMatrix4d(), fov, CameraSettings.FovAxis.X, apertureRadius, 1.2));
         graph.setFilm(new FilmSettings(SIZE, SIZE, ReconstructionFilter.BOX));
     }
 
@@ -301,8 +367,8 @@ final class CrossScenes {
     }
 
     private Color3f intensity() {
-        return new Color3f(
-                (float) random.nextDouble(0.5, 2), (float) random.nextDouble(0.5, 2), (float) random.nextDouble(0.5, 2));
+        return new Color3f((float) random.nextDouble(0.5, 2), (float) random.nextDouble(0.5, 2), (float)
+                random.nextDouble(0.5, 2));
     }
 
     private Bsdf diffuse() {

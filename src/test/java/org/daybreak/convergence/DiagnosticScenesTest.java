@@ -263,7 +263,8 @@ class DiagnosticScenesTest {
             assertThrows(
                     AssertionError.class,
                     () -> ZTest.assertNoneRejected(name, wrongPValues, SIGNIFICANCE),
-                    () -> String.format(Locale.ROOT, "%s: an image %.3f times as bright is not found out", name, factor));
+                    () -> String.format(
+                            Locale.ROOT, "%s: an image %.3f times as bright is not found out", name, factor));
         }
     }
 

@@ -24,7 +24,9 @@ final class ReferenceImage {
     }
 
     static ReferenceImage of(String scene) throws ImageFileException {
-        Path folder = ShippedScenes.repository().resolve("src/test/resources/reference").resolve(scene);
+        Path folder = ShippedScenes.repository()
+                .resolve("src/test/resources/reference")
+                .resolve(scene);
         return new ReferenceImage(
                 // Part of this image comes from Markov chains, whose errors neighbouring pixels share.
                 scene.equals("door_ajar"),

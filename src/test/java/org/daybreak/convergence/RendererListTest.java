@@ -31,7 +31,9 @@ class RendererListTest {
         List<RendererFactory> found = ServiceLoader.load(RendererFactory.class).stream()
                 .map(ServiceLoader.Provider::get)
                 .toList();
-        assertEquals(new TreeSet<>(RENDERERS), ids(found.stream().map(RendererFactory::id).toList()));
+        assertEquals(
+                new TreeSet<>(RENDERERS),
+                ids(found.stream().map(RendererFactory::id).toList()));
         for (RendererFactory factory : found) {
             checkDescriptions(factory.id(), factory.description(), factory.parameters());
             assertNotNull(factory.create(ParameterValues.defaults(factory.parameters())));

@@ -54,7 +54,13 @@ final class Rendering {
     static FilmImage render(Renderer renderer, Scene scene, long seed, long samplesPerPixel) {
         Film film = new Film(scene.film());
         RenderReport report = render(
-                renderer, scene, film, seed, samplesPerPixel, Runtime.getRuntime().availableProcessors(), SOBOL);
+                renderer,
+                scene,
+                film,
+                seed,
+                samplesPerPixel,
+                Runtime.getRuntime().availableProcessors(),
+                SOBOL);
         assertEquals(0, report.nonFiniteSamples(), () -> "not finite: " + report.nonFiniteAddresses());
         assertFalse(report.cancelled());
         return film.develop();

@@ -37,7 +37,6 @@ import org.daybreak.core.testing.Moments;
 import org.daybreak.core.testing.ZTest;
 import org.daybreak.scenes.description.SceneException;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -79,7 +78,8 @@ class ReproducibilityTest {
             assertSame(one, setup.render(renderer, SEED, threads), threads + " threads");
         }
         assertFalse(
-                Arrays.equals(one.channel("G"), setup.render(renderer, SEED + 1, 2).channel("G")),
+                Arrays.equals(
+                        one.channel("G"), setup.render(renderer, SEED + 1, 2).channel("G")),
                 "another seed gives another image");
     }
 
@@ -213,8 +213,7 @@ class ReproducibilityTest {
 
         FilmImage render(Renderer renderer, Scene what, long seed, int threads) {
             Film film = new Film(new FilmSettings(WIDTH, HEIGHT, filter), Set.of(FilmLayer.values()));
-            RenderReport report =
-                    Rendering.render(renderer, what, film, seed, samplesPerPixel, threads, antialiasing);
+            RenderReport report = Rendering.render(renderer, what, film, seed, samplesPerPixel, threads, antialiasing);
             assertEquals(0, report.nonFiniteSamples());
             return film.develop();
         }

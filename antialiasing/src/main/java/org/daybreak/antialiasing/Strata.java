@@ -4,7 +4,7 @@ import org.daybreak.core.sampling.Mixing;
 
 /** Strata of the unit interval and random orders of them. */
 final class Strata {
-    private static final int ROUNDS = 4;
+    private static final int ROUNDS = 6;
 
     private Strata() {}
 
@@ -17,7 +17,10 @@ final class Strata {
     /**
      * A random permutation of 0 … count − 1, computed for one index: a Feistel network over the smallest even number of bits
      * that holds them, applied again until the result lies in range ("cycle walking": Black and Rogaway, "Ciphers with
-     * Arbitrary Finite Domains", 2002).
+     * Arbitrary Finite Domains", 2002), and then a random rotation.
+     *
+     * <p>On small domains a Feistel network is far from a uniform choice among all permutations. The rotation makes the image
+     * of each single index uniform, which is what keeps estimates unbiased that pair strata of different dimensions.
      *
      * @param index 0 … count − 1
      * @param count at most 2³⁰
@@ -34,13 +37,17 @@ final class Strata {
             int left = value >>> half;
             int right = value & mask;
             for (int round = 0; round < ROUNDS; round++) {
-                int mixed =
-                        left ^ ((int) Mixing.mix64(key + (((long) round << 32) | right) * Mixing.GOLDEN_GAMMA) & mask);
+                int mixed = left ^ ((int) hash(key, round, right) & mask);
                 left = right;
                 right = mixed;
             }
             value = left << half | right;
         } while (value >= count);
-        return value;
+        int rotation = (int) (((hash(key, ROUNDS, 0) >>> 33) * count) >>> 31);
+        return value < count - rotation ? value + rotation : value - (count - rotation);
+    }
+
+    private static long hash(long key, int round, int half) {
+        return Mixing.mix64(key + (((long) round << 32) | half) * Mixing.GOLDEN_GAMMA);
     }
 }

@@ -222,6 +222,16 @@ public final class ExrImage {
         }
 
         /**
+         * Adds several channels of one type.
+         *
+         * @param planes samples by channel name, as {@link #channel(String, PixelType, float[])} takes them
+         */
+        public Builder channels(Map<String, float[]> planes, PixelType type) {
+            planes.forEach((name, plane) -> channel(name, type, plane));
+            return this;
+        }
+
+        /**
          * Adds a channel of unsigned integers.
          *
          * @param name full name, layer included

@@ -5,6 +5,7 @@ import java.util.Locale;
 import org.daybreak.scenes.build.PluginDefinition;
 import org.daybreak.scenes.build.Plugins;
 import org.daybreak.scenes.build.PropertyDefinition;
+import org.daybreak.scenes.build.ValueType;
 import org.daybreak.scenes.description.ObjectKind;
 
 /** What scene files may contain, for lists and documentation. Derived from the table the reader checks files against. */
@@ -57,7 +58,7 @@ public final class InputFormats {
                 String value = p.defaultValue();
                 row(
                         out,
-                        p.type() == PropertyDefinition.Type.OBJECT ? "" : "`" + p.name() + "`",
+                        p.type() == ValueType.OBJECT ? "" : "`" + p.name() + "`",
                         p.values().replace("<", "`<").replace(">", ">`"),
                         value == null ? (p.required() ? "required" : "") : value,
                         p.doc());

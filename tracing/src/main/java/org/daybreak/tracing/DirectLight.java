@@ -19,6 +19,9 @@ import org.daybreak.core.scene.Scene;
 final class DirectLight {
     private final Scene scene;
     private final LightSelection selection;
+    /** With one light there is nothing to choose, and its estimate at each vertex would cost as much as sampling it. */
+    private final boolean single;
+
     private final RayCaster caster;
     private final LightSample light = new LightSample();
     private final Spectrum value = new Spectrum();
@@ -42,6 +45,7 @@ final class DirectLight {
         this.caster = caster;
         scene = caster.scene();
         selection = scene.lightSelection();
+        single = scene.lightCount() == 1;
     }
 
     /**
@@ -82,7 +86,7 @@ final class DirectLight {
         nx = side * p.nx;
         ny = side * p.ny;
         nz = side * p.nz;
-        int index = selection.choose(p.x, p.y, p.z, nx, ny, nz, choice);
+        int index = single ? 0 : selection.choose(p.x, p.y, p.z, nx, ny, nz, choice);
         if (index < 0 || !scene.light(index).sampleIncident(p.x, p.y, p.z, u, v, light)) {
             return;
         }
@@ -95,7 +99,7 @@ final class DirectLight {
         if (r == 0 && g == 0 && b == 0) {
             return;
         }
-        double chosen = selection.probability(index, p.x, p.y, p.z, nx, ny, nz);
+        double chosen = single ? 1 : selection.probability(index, p.x, p.y, p.z, nx, ny, nz);
         double weight = light.delta ? 1 : powerHeuristic(chosen * light.density, scatterDensity);
         weight *= visibility(p) / chosen;
         if (weight != 0) {
@@ -169,8 +173,8 @@ final class DirectLight {
         }
         double weight = 1;
         if (scatterDensity < Double.POSITIVE_INFINITY) {
-            double density = selection.probability(index, fromX, fromY, fromZ, fromNx, fromNy, fromNz)
-                    * met.incidentDensity(fromX, fromY, fromZ, hit, dx, dy, dz);
+            double chosen = single ? 1 : selection.probability(index, fromX, fromY, fromZ, fromNx, fromNy, fromNz);
+            double density = chosen * met.incidentDensity(fromX, fromY, fromZ, hit, dx, dy, dz);
             weight = powerHeuristic(scatterDensity, density);
         }
         radiance.r += weight * throughputR * value.r;

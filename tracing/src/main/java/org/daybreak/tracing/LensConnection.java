@@ -8,6 +8,7 @@ import org.daybreak.core.film.SplatBuffer;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.light.EmissionSample;
 import org.daybreak.core.light.Light;
+import org.daybreak.core.light.LightSample;
 import org.daybreak.core.material.Bsdf;
 import org.daybreak.core.material.Scattering;
 import org.daybreak.core.material.TransportMode;
@@ -29,6 +30,7 @@ final class LensConnection {
     private final RayCaster caster;
     private final LensSample lens = new LensSample();
     private final CameraRay cameraRay = new CameraRay();
+    private final LightSample sky = new LightSample();
     private final Spectrum value = new Spectrum();
     private final double sceneSize;
 
@@ -70,16 +72,11 @@ final class LensConnection {
      * Joins the first vertex of a light subpath to the lens (s = 1): the emitter as it is seen directly. The density of the
      * direction that the subpath goes on with plays no part, as the direction here is another one.
      *
+     * @param light a light that is neither at infinity nor a single point
      * @param chosen probability with which the light was chosen
      * @return false if the contribution was not finite
      */
     boolean joinEmitter(Light light, EmissionSample y0, double chosen, double u, double v, SplatBuffer splats) {
-        if (light.isDelta()) {
-            return true;
-        }
-        if (light.isInfinite()) {
-            return joinInfinite(light, y0, chosen, u, v, splats);
-        }
         SurfacePoint p = y0.point;
         if (!camera.sampleLens(p.x, p.y, p.z, u, v, lens)) {
             return true;
@@ -91,34 +88,39 @@ final class LensConnection {
     }
 
     /**
-     * For a light at infinity the direction of y₀ is what the lens sees, with its density per solid angle; its position on
-     * the disk that covers the scene plays no part.
+     * Joins a light at infinity to the lens (s = 1). It has no point that a subpath starts from and sees the lens by, so the
+     * light's direction is sampled from the lens point.
+     *
+     * @param light a light at infinity that is not a single direction
+     * @param chosen probability with which the light was chosen
+     * @param s first number for the direction, with {@code t}
+     * @return false if the contribution was not finite
      */
-    private boolean joinInfinite(
-            Light light, EmissionSample y0, double chosen, double u, double v, SplatBuffer splats) {
+    boolean joinInfinite(Light light, double chosen, double s, double t, double u, double v, SplatBuffer splats) {
+        // Any film position gives the lens point of u and v.
         if (!camera.sampleRay(0.5 * camera.width(), 0.5 * camera.height(), u, v, cameraRay)) {
             return true;
         }
         double ox = cameraRay.ox;
         double oy = cameraRay.oy;
         double oz = cameraRay.oz;
-        double far = FAR * Math.max(sceneSize, Math.max(Math.abs(ox), Math.max(Math.abs(oy), Math.abs(oz))));
-        if (far == 0) {
-            far = FAR;
-        }
-        if (!camera.sampleLens(ox - far * y0.dx, oy - far * y0.dy, oz - far * y0.dz, u, v, lens)) {
+        if (!light.sampleIncident(ox, oy, oz, s, t, sky)) {
             return true;
         }
-        light.radiance(y0.point, y0.dx, y0.dy, y0.dz, value);
-        double perSolidAngle = lens.weight * lens.distance * lens.distance;
-        double scale = perSolidAngle / (y0.densityDirection * chosen);
-        value.scale(scale);
-        if (value.isBlack()) {
+        double size = Math.max(sceneSize, Math.max(Math.abs(ox), Math.max(Math.abs(oy), Math.abs(oz))));
+        double far = size > 0 ? FAR * size : FAR;
+        if (!camera.sampleLens(ox + far * sky.wiX, oy + far * sky.wiY, oz + far * sky.wiZ, u, v, lens)) {
             return true;
         }
-        double visible = caster.transmittanceToInfinity(lens.point, -y0.dx, -y0.dy, -y0.dz);
-        return visible == 0
-                || splats.add(lens.filmX, lens.filmY, visible * value.r, visible * value.g, visible * value.b);
+        double scale = lens.weight * lens.distance * lens.distance / chosen;
+        double r = scale * sky.weight.r;
+        double g = scale * sky.weight.g;
+        double b = scale * sky.weight.b;
+        if (r == 0 && g == 0 && b == 0) {
+            return true;
+        }
+        double visible = caster.transmittanceToInfinity(lens.point, sky.wiX, sky.wiY, sky.wiZ);
+        return visible == 0 || splats.add(lens.filmX, lens.filmY, visible * r, visible * g, visible * b);
     }
 
     /** Multiplies the value in hand with factors, and with the visibility of the lens if there is anything to see. */

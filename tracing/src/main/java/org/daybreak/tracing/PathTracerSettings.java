@@ -24,7 +24,7 @@ public record PathTracerSettings(int maxDepth, int rrDepth) {
             Parameter.integer(
                     "rrDepth",
                     "Russian roulette from depth",
-                    5,
+                    3,
                     1,
                     Integer.MAX_VALUE,
                     "Number of edges from which on a path may be ended at random, in proportion to what it can still"

@@ -51,12 +51,11 @@ final class TestScenes {
         SceneGraph graph = room(width, height, ReconstructionFilter.BOX);
         graph.root().add(new ShapeNode(new Sphere(new Point3d(-0.78, 0.56, -0.5), 0.56), diffuse(0.5)));
         Bsdf veil = new Mask(grey(0.4), diffuse(0.6));
-        graph.root()
-                .add(rectangle(veil, null, 0.9, 0, 0, 0.3, 0, 0.9, 0, 1, 0, 0, 1, 0.7));
+        graph.root().add(rectangle(veil, null, 0.9, 0, 0, 0.3, 0, 0.9, 0, 1, 0, 0, 1, 0.7));
         // A veil under the ceiling light, so that occlusion queries and light subpaths pass through one.
+        graph.root().add(rectangle(veil, null, 0.7, 0, 0, 0, 0, 0, -1, 1.5, 0, 0.7, 0, 0));
         graph.root()
-                .add(rectangle(veil, null, 0.7, 0, 0, 0, 0, 0, -1, 1.5, 0, 0.7, 0, 0));
-        graph.root().add(new ShapeNode(new Sphere(new Point3d(1.2, 1.4, -0.8), 0.15), diffuse(0)))
+                .add(new ShapeNode(new Sphere(new Point3d(1.2, 1.4, -0.8), 0.15), diffuse(0)))
                 .setRadiance(new ConstantTexture(4, 6, 9));
         LightNode point = graph.root().add(new LightNode(new LightSource.Point(new Color3f(1, 0.5f, 0.4f))));
         Matrix4d at = new Matrix4d();
@@ -125,7 +124,20 @@ final class TestScenes {
         graph.root().add(rectangle(blue, null, 0, 0, -1, 1.75, 0, 1, 0, 1, 1.45, 0, 0, 0));
         graph.root()
                 .add(rectangle(
-                        diffuse(0), new ConstantTexture(17, 15.5, 12.5), 0.42, 0, 0, 0, 0, 0, -1, 1.996, 0, 0.32, 0, -0.05));
+                        diffuse(0),
+                        new ConstantTexture(17, 15.5, 12.5),
+                        0.42,
+                        0,
+                        0,
+                        0,
+                        0,
+                        0,
+                        -1,
+                        1.996,
+                        0,
+                        0.32,
+                        0,
+                        -0.05));
         look(graph, new Point3d(0, 1, 6), new Point3d(0, 0.985, 0), new Vector3d(0, 1, 0), 40.6, width, height, filter);
         return graph;
     }
@@ -153,9 +165,10 @@ final class TestScenes {
             int width,
             int height,
             ReconstructionFilter filter) {
-        graph.setCamera(new CameraSettings(Transform.lookAt(
-                                origin.x, origin.y, origin.z, target.x, target.y, target.z, up.x, up.y, up.z)
-                        .toMatrix4d(), fov));
+        graph.setCamera(new CameraSettings(
+                Transform.lookAt(origin.x, origin.y, origin.z, target.x, target.y, target.z, up.x, up.y, up.z)
+                        .toMatrix4d(),
+                fov));
         graph.setFilm(new FilmSettings(width, height, filter));
     }
 

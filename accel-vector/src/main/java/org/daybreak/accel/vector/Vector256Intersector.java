@@ -25,11 +25,10 @@ final class Vector256Intersector implements Intersector {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
     private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
     private static final int W = FLOATS.length();
+    private static final long REFERENCE = 0xffffffffL;
 
     private final WideBvh bvh;
-    private final float[] nodes;
-    private final float[] blocks;
-    private final int[] numbers;
+    private final float[] data;
     private final OtherPrimitives others;
     private final int root;
     private final int stackSize;
@@ -37,9 +36,7 @@ final class Vector256Intersector implements Intersector {
 
     private Vector256Intersector(WideBvh bvh) {
         this.bvh = bvh;
-        nodes = bvh.nodes();
-        blocks = bvh.blocks();
-        numbers = bvh.numbers();
+        data = bvh.data();
         others = bvh.others();
         root = bvh.root();
         stackSize = bvh.stackSize();
@@ -59,8 +56,7 @@ final class Vector256Intersector implements Intersector {
             return false;
         }
         PreparedRay p = ray.prepare(scale);
-        float[] n = nodes;
-        float[] b = blocks;
+        float[] d = data;
         long[] stack = ray.stack(stackSize);
         int[] lanes = ray.lanes;
         FloatVector ix = FloatVector.broadcast(FLOATS, p.inverseX);
@@ -87,6 +83,7 @@ final class Vector256Intersector implements Intersector {
         FloatVector su = FloatVector.broadcast(FLOATS, -p.shearU);
         FloatVector sv = FloatVector.broadcast(FLOATS, -p.shearV);
         int best = Float.floatToRawIntBits(p.tMax);
+        int bestBlock = 0;
         int bestLane = -1;
         boolean found = false;
         int sp = 0;
@@ -94,23 +91,23 @@ final class Vector256Intersector implements Intersector {
         while (true) {
             if (reference >= 0) {
                 int at = reference;
-                IntVector near = FloatVector.fromArray(FLOATS, n, at + nearX)
+                IntVector near = FloatVector.fromArray(FLOATS, d, at + nearX)
                         .fma(ix, nx)
                         .reinterpretAsInts()
-                        .max(FloatVector.fromArray(FLOATS, n, at + nearY)
+                        .max(FloatVector.fromArray(FLOATS, d, at + nearY)
                                 .fma(iy, ny)
                                 .reinterpretAsInts())
-                        .max(FloatVector.fromArray(FLOATS, n, at + nearZ)
+                        .max(FloatVector.fromArray(FLOATS, d, at + nearZ)
                                 .fma(iz, nz)
                                 .reinterpretAsInts())
                         .max(IntVector.zero(INTS));
-                IntVector far = FloatVector.fromArray(FLOATS, n, at + farX)
+                IntVector far = FloatVector.fromArray(FLOATS, d, at + farX)
                         .fma(ix, fx)
                         .reinterpretAsInts()
-                        .min(FloatVector.fromArray(FLOATS, n, at + farY)
+                        .min(FloatVector.fromArray(FLOATS, d, at + farY)
                                 .fma(iy, fy)
                                 .reinterpretAsInts())
-                        .min(FloatVector.fromArray(FLOATS, n, at + farZ)
+                        .min(FloatVector.fromArray(FLOATS, d, at + farZ)
                                 .fma(iz, fz)
                                 .reinterpretAsInts())
                         .min(IntVector.broadcast(INTS, best))
@@ -120,18 +117,32 @@ final class Vector256Intersector implements Intersector {
                     int references = at + 6 * W;
                     int lane = Long.numberOfTrailingZeros(hits);
                     hits &= hits - 1;
-                    reference = Float.floatToRawIntBits(n[references + lane]);
+                    reference = Float.floatToRawIntBits(d[references + lane]);
                     if (hits == 0) {
                         continue;
                     }
                     near.intoArray(lanes, 0);
+                    long entry0 = (long) lanes[lane] << 32 | (reference & REFERENCE);
+                    lane = Long.numberOfTrailingZeros(hits);
+                    hits &= hits - 1;
+                    long entry1 =
+                            (long) lanes[lane] << 32 | (Float.floatToRawIntBits(d[references + lane]) & REFERENCE);
+                    long nearer = Math.min(entry0, entry1);
+                    long farther = Math.max(entry0, entry1);
+                    if (hits == 0) {
+                        stack[sp++] = farther;
+                        reference = (int) nearer;
+                        continue;
+                    }
                     int bottom = sp;
-                    stack[sp++] = (long) lanes[lane] << 32 | reference & 0xffffffffL;
+                    stack[sp] = farther;
+                    stack[sp + 1] = nearer;
+                    sp += 2;
                     do {
                         lane = Long.numberOfTrailingZeros(hits);
                         hits &= hits - 1;
-                        long entry = (long) lanes[lane] << 32
-                                | Float.floatToRawIntBits(n[references + lane]) & 0xffffffffL;
+                        long entry =
+                                (long) lanes[lane] << 32 | (Float.floatToRawIntBits(d[references + lane]) & REFERENCE);
                         int slot = sp++;
                         while (slot > bottom && stack[slot - 1] < entry) {
                             stack[slot] = stack[slot - 1];
@@ -143,28 +154,30 @@ final class Vector256Intersector implements Intersector {
                     continue;
                 }
             } else if ((reference & 1) != 0) {
-                int block = ~reference >> 1;
-                int at = 9 * W * block;
-                FloatVector aw = FloatVector.fromArray(FLOATS, b, at + axisW).sub(ow);
+                int at = ~reference;
+                FloatVector aw = FloatVector.fromArray(FLOATS, d, at + axisW).sub(ow);
                 FloatVector bw =
-                        FloatVector.fromArray(FLOATS, b, at + 3 * W + axisW).sub(ow);
+                        FloatVector.fromArray(FLOATS, d, at + 3 * W + axisW).sub(ow);
                 FloatVector cw =
-                        FloatVector.fromArray(FLOATS, b, at + 6 * W + axisW).sub(ow);
-                FloatVector au = aw.fma(su, FloatVector.fromArray(FLOATS, b, at + axisU).sub(ou));
-                FloatVector av = aw.fma(sv, FloatVector.fromArray(FLOATS, b, at + axisV).sub(ov));
+                        FloatVector.fromArray(FLOATS, d, at + 6 * W + axisW).sub(ow);
+                FloatVector au =
+                        aw.fma(su, FloatVector.fromArray(FLOATS, d, at + axisU).sub(ou));
+                FloatVector av =
+                        aw.fma(sv, FloatVector.fromArray(FLOATS, d, at + axisV).sub(ov));
                 FloatVector bu = bw.fma(
-                        su, FloatVector.fromArray(FLOATS, b, at + 3 * W + axisU).sub(ou));
+                        su, FloatVector.fromArray(FLOATS, d, at + 3 * W + axisU).sub(ou));
                 FloatVector bv = bw.fma(
-                        sv, FloatVector.fromArray(FLOATS, b, at + 3 * W + axisV).sub(ov));
+                        sv, FloatVector.fromArray(FLOATS, d, at + 3 * W + axisV).sub(ov));
                 FloatVector cu = cw.fma(
-                        su, FloatVector.fromArray(FLOATS, b, at + 6 * W + axisU).sub(ou));
+                        su, FloatVector.fromArray(FLOATS, d, at + 6 * W + axisU).sub(ou));
                 FloatVector cv = cw.fma(
-                        sv, FloatVector.fromArray(FLOATS, b, at + 6 * W + axisV).sub(ov));
+                        sv, FloatVector.fromArray(FLOATS, d, at + 6 * W + axisV).sub(ov));
                 FloatVector ea = cu.mul(bv).sub(cv.mul(bu));
                 FloatVector eb = au.mul(cv).sub(av.mul(cu));
                 FloatVector ec = bu.mul(av).sub(bv.mul(au));
                 FloatVector zero = FloatVector.zero(FLOATS);
-                FloatVector inverse = FloatVector.broadcast(FLOATS, 1).div(ea.add(eb).add(ec));
+                FloatVector inverse =
+                        FloatVector.broadcast(FLOATS, 1).div(ea.add(eb).add(ec));
                 // The sum with zero turns -0 into +0, so that the sign bit tells inside from outside.
                 FloatVector wa = ea.fma(inverse, zero);
                 FloatVector wb = eb.fma(inverse, zero);
@@ -189,7 +202,8 @@ final class Vector256Intersector implements Intersector {
                         int bits = lanes[lane];
                         if (bits > 0 && bits < best) {
                             best = bits;
-                            bestLane = W * block + lane;
+                            bestBlock = at;
+                            bestLane = lane;
                             found = true;
                         }
                     } while (hits != 0);
@@ -207,7 +221,7 @@ final class Vector256Intersector implements Intersector {
                 if (sp == 0) {
                     if (bestLane >= 0) {
                         ray.t = Float.intBitsToFloat(best) * p.toParameter;
-                        ray.primitive = numbers[bestLane];
+                        ray.primitive = bvh.number(bestBlock, bestLane);
                         ray.instance = -1;
                     }
                     return found;
@@ -224,8 +238,7 @@ final class Vector256Intersector implements Intersector {
             return false;
         }
         PreparedRay p = ray.prepare(scale);
-        float[] n = nodes;
-        float[] b = blocks;
+        float[] d = data;
         long[] stack = ray.stack(stackSize);
         FloatVector ix = FloatVector.broadcast(FLOATS, p.inverseX);
         FloatVector iy = FloatVector.broadcast(FLOATS, p.inverseY);
@@ -256,23 +269,23 @@ final class Vector256Intersector implements Intersector {
         while (true) {
             if (reference >= 0) {
                 int at = reference;
-                IntVector near = FloatVector.fromArray(FLOATS, n, at + nearX)
+                IntVector near = FloatVector.fromArray(FLOATS, d, at + nearX)
                         .fma(ix, nx)
                         .reinterpretAsInts()
-                        .max(FloatVector.fromArray(FLOATS, n, at + nearY)
+                        .max(FloatVector.fromArray(FLOATS, d, at + nearY)
                                 .fma(iy, ny)
                                 .reinterpretAsInts())
-                        .max(FloatVector.fromArray(FLOATS, n, at + nearZ)
+                        .max(FloatVector.fromArray(FLOATS, d, at + nearZ)
                                 .fma(iz, nz)
                                 .reinterpretAsInts())
                         .max(IntVector.zero(INTS));
-                IntVector far = FloatVector.fromArray(FLOATS, n, at + farX)
+                IntVector far = FloatVector.fromArray(FLOATS, d, at + farX)
                         .fma(ix, fx)
                         .reinterpretAsInts()
-                        .min(FloatVector.fromArray(FLOATS, n, at + farY)
+                        .min(FloatVector.fromArray(FLOATS, d, at + farY)
                                 .fma(iy, fy)
                                 .reinterpretAsInts())
-                        .min(FloatVector.fromArray(FLOATS, n, at + farZ)
+                        .min(FloatVector.fromArray(FLOATS, d, at + farZ)
                                 .fma(iz, fz)
                                 .reinterpretAsInts())
                         .min(IntVector.broadcast(INTS, best))
@@ -282,30 +295,33 @@ final class Vector256Intersector implements Intersector {
                 while (hits != 0) {
                     int lane = Long.numberOfTrailingZeros(hits);
                     hits &= hits - 1;
-                    stack[sp++] = Float.floatToRawIntBits(n[references + lane]);
+                    stack[sp++] = Float.floatToRawIntBits(d[references + lane]);
                 }
             } else if ((reference & 1) != 0) {
-                int at = 9 * W * (~reference >> 1);
-                FloatVector aw = FloatVector.fromArray(FLOATS, b, at + axisW).sub(ow);
+                int at = ~reference;
+                FloatVector aw = FloatVector.fromArray(FLOATS, d, at + axisW).sub(ow);
                 FloatVector bw =
-                        FloatVector.fromArray(FLOATS, b, at + 3 * W + axisW).sub(ow);
+                        FloatVector.fromArray(FLOATS, d, at + 3 * W + axisW).sub(ow);
                 FloatVector cw =
-                        FloatVector.fromArray(FLOATS, b, at + 6 * W + axisW).sub(ow);
-                FloatVector au = aw.fma(su, FloatVector.fromArray(FLOATS, b, at + axisU).sub(ou));
-                FloatVector av = aw.fma(sv, FloatVector.fromArray(FLOATS, b, at + axisV).sub(ov));
+                        FloatVector.fromArray(FLOATS, d, at + 6 * W + axisW).sub(ow);
+                FloatVector au =
+                        aw.fma(su, FloatVector.fromArray(FLOATS, d, at + axisU).sub(ou));
+                FloatVector av =
+                        aw.fma(sv, FloatVector.fromArray(FLOATS, d, at + axisV).sub(ov));
                 FloatVector bu = bw.fma(
-                        su, FloatVector.fromArray(FLOATS, b, at + 3 * W + axisU).sub(ou));
+                        su, FloatVector.fromArray(FLOATS, d, at + 3 * W + axisU).sub(ou));
                 FloatVector bv = bw.fma(
-                        sv, FloatVector.fromArray(FLOATS, b, at + 3 * W + axisV).sub(ov));
+                        sv, FloatVector.fromArray(FLOATS, d, at + 3 * W + axisV).sub(ov));
                 FloatVector cu = cw.fma(
-                        su, FloatVector.fromArray(FLOATS, b, at + 6 * W + axisU).sub(ou));
+                        su, FloatVector.fromArray(FLOATS, d, at + 6 * W + axisU).sub(ou));
                 FloatVector cv = cw.fma(
-                        sv, FloatVector.fromArray(FLOATS, b, at + 6 * W + axisV).sub(ov));
+                        sv, FloatVector.fromArray(FLOATS, d, at + 6 * W + axisV).sub(ov));
                 FloatVector ea = cu.mul(bv).sub(cv.mul(bu));
                 FloatVector eb = au.mul(cv).sub(av.mul(cu));
                 FloatVector ec = bu.mul(av).sub(bv.mul(au));
                 FloatVector zero = FloatVector.zero(FLOATS);
-                FloatVector inverse = FloatVector.broadcast(FLOATS, 1).div(ea.add(eb).add(ec));
+                FloatVector inverse =
+                        FloatVector.broadcast(FLOATS, 1).div(ea.add(eb).add(ec));
                 FloatVector wa = ea.fma(inverse, zero);
                 FloatVector wb = eb.fma(inverse, zero);
                 FloatVector wc = ec.fma(inverse, zero);

@@ -21,8 +21,8 @@ final class VectorSupport {
             return Optional.of("vectors are fast from JDK " + LEAST_RELEASE + " on, this is " + release);
         }
         if (ModuleLayer.boot().findModule("jdk.incubator.vector").isEmpty()) {
-            return Optional.of("module jdk.incubator.vector is absent; start java with --add-modules"
-                    + " jdk.incubator.vector");
+            return Optional.of(
+                    "module jdk.incubator.vector is absent; start java with --add-modules" + " jdk.incubator.vector");
         }
         String mode = System.getProperty("java.vm.info", "");
         if (!mode.contains("mixed mode") || mode.contains("emulated-client")) {

@@ -63,8 +63,7 @@ final class BenchmarkScene {
 
     /** The mesh, in arrays of its own. */
     PrimitiveSet primitives() {
-        return PrimitiveSet.ofTriangles(
-                Arrays.copyOf(positions, positionEnd), Arrays.copyOf(triangles, triangleEnd));
+        return PrimitiveSet.ofTriangles(Arrays.copyOf(positions, positionEnd), Arrays.copyOf(triangles, triangleEnd));
     }
 
     private static double radicalInverse(int base, int index) {

@@ -75,8 +75,7 @@ final class RaySet {
                 double y2 = ny + direction[1];
                 double z2 = nz + direction[2];
                 double length = Math.sqrt(x2 * x2 + y2 * y2 + z2 * z2);
-                ray.set(
-                        ray.ox, ray.oy, ray.oz, x2 / length, y2 / length, z2 / length, Double.POSITIVE_INFINITY);
+                ray.set(ray.ox, ray.oy, ray.oz, x2 / length, y2 / length, z2 / length, Double.POSITIVE_INFINITY);
                 if (diffuseEnd < diffuse.length) {
                     diffuseEnd = store(diffuse, diffuseEnd, ray);
                 }

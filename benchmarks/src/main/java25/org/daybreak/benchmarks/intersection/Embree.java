@@ -37,8 +37,8 @@ final class Embree implements AutoCloseable {
             function("rtcSetSceneBuildQuality", FunctionDescriptor.ofVoid(POINTER, INT));
     private static final MethodHandle NEW_GEOMETRY =
             function("rtcNewGeometry", FunctionDescriptor.of(POINTER, POINTER, INT));
-    private static final MethodHandle NEW_BUFFER = function(
-            "rtcSetNewGeometryBuffer", FunctionDescriptor.of(POINTER, POINTER, INT, INT, INT, LONG, LONG));
+    private static final MethodHandle NEW_BUFFER =
+            function("rtcSetNewGeometryBuffer", FunctionDescriptor.of(POINTER, POINTER, INT, INT, INT, LONG, LONG));
     private static final MethodHandle COMMIT_GEOMETRY =
             function("rtcCommitGeometry", FunctionDescriptor.ofVoid(POINTER));
     private static final MethodHandle ATTACH_GEOMETRY =

@@ -1,8 +1,7 @@
 package org.daybreak.core.accel;
 
 import java.util.Arrays;
-import java.util.concurrent.ForkJoinPool;
-import java.util.concurrent.RecursiveTask;
+import java.util.concurrent.RecursiveAction;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -14,323 +13,300 @@ import org.jspecify.annotations.Nullable;
  */
 final class BinnedSahBuilder {
     /** Ranges smaller than this are built by one thread. */
-    private static final int FORK_SIZE = 4096;
+    private static final int FORK_SIZE = 1 << 12;
+
+    /** Ranges of at least twice this size are binned by several threads. */
+    private static final int BIN_GRAIN = 1 << 16;
 
     private static final int MAX_BINS = 16;
+
+    /** Ints of one bin: minimum x, y, z, number of records, maximum x, y, z, unused. */
+    private static final int BIN = 8;
+
+    /** Where in the bins those of the next axis start. */
+    private static final int AXIS = MAX_BINS * BIN;
 
     /** Beyond this depth ranges are halved by number, which bounds the depth by this plus 27. */
     private static final int MAX_SAH_DEPTH = 48;
 
-    /** Cost of testing one block of triangles in units of one binary node. */
-    private static final float BLOCK_COST = 1;
-
     private final PrimitiveRecords records;
-    private final float[] data;
+    private final int[] data;
     private final int leafWidth;
-    private final int triangleCount;
     private final boolean onlyTriangles;
 
     private BinnedSahBuilder(PrimitiveRecords records, int leafWidth) {
         this.records = records;
         this.data = records.data;
         this.leafWidth = leafWidth;
-        this.triangleCount = records.set.triangleCount();
         this.onlyTriangles = records.set.quadricCount() + records.set.instanceCount() == 0;
     }
 
     /**
-     * Builds the tree and sorts the records into the order of its leaves.
+     * Builds the tree, sorts the records into the order of its leaves, and computes the bounds of all nodes.
      *
      * @return the root, or null if there are no records
      */
-    static @Nullable BinaryNode build(PrimitiveRecords records, int leafWidth, int threads) {
+    static @Nullable BinaryNode build(PrimitiveRecords records, int leafWidth) {
         if (records.count == 0) {
             return null;
         }
         BinnedSahBuilder builder = new BinnedSahBuilder(records, leafWidth);
-        BinaryNode root = new BinaryNode();
-        root.start = 0;
-        root.count = records.count;
-        if (threads <= 1 || records.count < FORK_SIZE) {
-            builder.subdivide(root, 0, new Scratch(), false);
-            return root;
-        }
-        ForkJoinPool pool = new ForkJoinPool(threads);
-        try {
-            pool.invoke(builder.new Task(root, 0));
-        } finally {
-            pool.shutdown();
-        }
+        BinaryNode root = new BinaryNode(0, records.count);
+        builder.subdivide(root, 0, new Scratch(), ForkJoinRange.isParallel());
         return root;
     }
 
-    private final class Task extends RecursiveTask<BinaryNode> {
+    private final class Subdivision extends RecursiveAction {
         private static final long serialVersionUID = 1L;
         private final transient BinaryNode node;
         private final int depth;
 
-        Task(BinaryNode node, int depth) {
+        Subdivision(BinaryNode node, int depth) {
             this.node = node;
             this.depth = depth;
         }
 
         @Override
-        protected BinaryNode compute() {
+        protected void compute() {
             subdivide(node, depth, new Scratch(), true);
-            return node;
         }
     }
 
-    /** Bins of one node; reused from node to node within a task. */
+    /** What is known of one node; reused from node to node within a task. */
     private static final class Scratch {
-        /** For each axis and bin: minimum x, y, z, unused, maximum x, y, z, unused. */
-        final float[] boxes = new float[3 * MAX_BINS * 8];
+        final int[] bins = new int[3 * AXIS];
 
-        final int[] counts = new int[3 * MAX_BINS];
-        final float[] rightArea = new float[MAX_BINS];
+        /** Least and greatest sum of the minimum and maximum along each axis: twice the centre of the box. */
+        final int[] centres = new int[6];
+
+        final double[] rightArea = new double[MAX_BINS];
         final int[] rightCount = new int[MAX_BINS];
-        final float[] centroids = new float[6];
+        final float[] box = new float[6];
         int splitAxis;
         int splitBin;
     }
 
     private void subdivide(BinaryNode node, int depth, Scratch scratch, boolean fork) {
-        fit(node, scratch);
         int others = onlyTriangles ? 0 : countOthers(node);
         boolean homogeneous = others == 0 || others == node.count;
-        int leafMaximum = others == 0 ? leafWidth : 1;
-        if (homogeneous && node.count <= leafMaximum && (node.count <= 1 || !splitPays(node, scratch))) {
+        if (homogeneous && node.count <= (others == 0 ? leafWidth : 1)) {
+            node.fit(records, scratch.box);
             return;
         }
         int middle;
         if (!homogeneous && node.count - others <= leafWidth) {
             middle = partitionByKind(node);
-        } else if (depth >= MAX_SAH_DEPTH || !findSplit(node, scratch)) {
+        } else if (depth >= MAX_SAH_DEPTH || !findSplit(node, scratch, fork)) {
             middle = node.start + node.count / 2;
         } else {
             middle = partition(node, scratch);
         }
-        BinaryNode left = new BinaryNode();
-        left.start = node.start;
-        left.count = middle - node.start;
-        BinaryNode right = new BinaryNode();
-        right.start = middle;
-        right.count = node.count - left.count;
-        node.left = left;
-        node.right = right;
+        node.split(middle);
         if (fork && node.count >= FORK_SIZE) {
-            Task task = new Task(left, depth + 1);
-            task.fork();
-            subdivide(right, depth + 1, scratch, true);
-            task.join();
+            Subdivision left = new Subdivision(node.left(), depth + 1);
+            left.fork();
+            subdivide(node.right(), depth + 1, scratch, true);
+            left.join();
         } else {
-            subdivide(left, depth + 1, scratch, false);
-            subdivide(right, depth + 1, scratch, false);
+            subdivide(node.left(), depth + 1, scratch, false);
+            subdivide(node.right(), depth + 1, scratch, false);
         }
+        node.unite();
     }
 
     private int countOthers(BinaryNode node) {
         int others = 0;
         for (int i = node.start; i < node.start + node.count; i++) {
-            if (records.number(i) >= triangleCount) {
+            if (!records.isTriangle(i)) {
                 others++;
             }
         }
         return others;
     }
 
-    /** Bounds of the node, and of (twice) the centroids in it. */
-    private void fit(BinaryNode node, Scratch scratch) {
-        float minX = Float.POSITIVE_INFINITY;
-        float minY = Float.POSITIVE_INFINITY;
-        float minZ = Float.POSITIVE_INFINITY;
-        float maxX = Float.NEGATIVE_INFINITY;
-        float maxY = Float.NEGATIVE_INFINITY;
-        float maxZ = Float.NEGATIVE_INFINITY;
-        float lowX = Float.POSITIVE_INFINITY;
-        float lowY = Float.POSITIVE_INFINITY;
-        float lowZ = Float.POSITIVE_INFINITY;
-        float highX = Float.NEGATIVE_INFINITY;
-        float highY = Float.NEGATIVE_INFINITY;
-        float highZ = Float.NEGATIVE_INFINITY;
-        float[] d = data;
-        int end = PrimitiveRecords.STRIDE * (node.start + node.count);
-        for (int i = PrimitiveRecords.STRIDE * node.start; i < end; i += PrimitiveRecords.STRIDE) {
-            float x0 = d[i];
-            float y0 = d[i + 1];
-            float z0 = d[i + 2];
-            float x1 = d[i + 4];
-            float y1 = d[i + 5];
-            float z1 = d[i + 6];
-            minX = x0 < minX ? x0 : minX;
-            minY = y0 < minY ? y0 : minY;
-            minZ = z0 < minZ ? z0 : minZ;
-            maxX = x1 > maxX ? x1 : maxX;
-            maxY = y1 > maxY ? y1 : maxY;
-            maxZ = z1 > maxZ ? z1 : maxZ;
-            float cx = x0 + x1;
-            float cy = y0 + y1;
-            float cz = z0 + z1;
-            lowX = cx < lowX ? cx : lowX;
-            lowY = cy < lowY ? cy : lowY;
-            lowZ = cz < lowZ ? cz : lowZ;
-            highX = cx > highX ? cx : highX;
-            highY = cy > highY ? cy : highY;
-            highZ = cz > highZ ? cz : highZ;
+    private static int binCount(int count) {
+        return Math.min(MAX_BINS, 4 + count / 16);
+    }
+
+    /** Finds the cheapest of the planes between bins; false if all centres coincide. */
+    private boolean findSplit(BinaryNode node, Scratch scratch, boolean fork) {
+        int end = node.start + node.count;
+        int bins = binCount(node.count);
+        if (fork && node.count >= 2 * BIN_GRAIN) {
+            spanCentresInParallel(node, scratch);
+            clear(scratch.bins);
+            int[] centres = scratch.centres;
+            ForkJoinRange.run(node.count, BIN_GRAIN, (from, to) -> {
+                int[] part = new int[3 * AXIS];
+                clear(part);
+                bin(node.start + from, node.start + to, centres, part, bins);
+                synchronized (scratch) {
+                    merge(part, scratch.bins);
+                }
+            });
+        } else {
+            spanCentres(node.start, end, scratch.centres);
+            clear(scratch.bins);
+            bin(node.start, end, scratch.centres, scratch.bins, bins);
         }
-        node.minX = minX;
-        node.minY = minY;
-        node.minZ = minZ;
-        node.maxX = maxX;
-        node.maxY = maxY;
-        node.maxZ = maxZ;
-        scratch.centroids[0] = lowX;
-        scratch.centroids[1] = lowY;
-        scratch.centroids[2] = lowZ;
-        scratch.centroids[3] = highX;
-        scratch.centroids[4] = highY;
-        scratch.centroids[5] = highZ;
-    }
-
-    /** A range that fits one block stays one: a second block costs as much as this one. */
-    private boolean splitPays(BinaryNode node, Scratch scratch) {
-        return node.count > leafWidth;
-    }
-
-    /** Finds the cheapest of the planes between bins; false if all centroids coincide. */
-    private boolean findSplit(BinaryNode node, Scratch scratch) {
-        int bins = Math.min(MAX_BINS, 4 + node.count / 16);
-        float[] low = scratch.centroids;
-        bin(node, scratch, bins);
-        float best = Float.POSITIVE_INFINITY;
+        double best = Double.POSITIVE_INFINITY;
         for (int axis = 0; axis < 3; axis++) {
-            if (!(low[axis + 3] > low[axis])) {
-                continue;
+            if (scratch.centres[axis + 3] > scratch.centres[axis]) {
+                best = sweep(scratch, axis, bins, best);
             }
-            best = sweep(scratch, axis, bins, best);
         }
-        return best < Float.POSITIVE_INFINITY;
+        return best < Double.POSITIVE_INFINITY;
     }
 
-    private static float binFactor(float low, float high, int bins) {
-        float extent = high - low;
-        float factor = bins * (1 - 0x1p-20f) / extent;
-        return extent > 0 && factor < Float.POSITIVE_INFINITY ? factor : 0;
+    private void spanCentresInParallel(BinaryNode node, Scratch scratch) {
+        int[] whole = scratch.centres;
+        Arrays.fill(whole, 0, 3, Integer.MAX_VALUE);
+        Arrays.fill(whole, 3, 6, Integer.MIN_VALUE);
+        ForkJoinRange.run(node.count, BIN_GRAIN, (from, to) -> {
+            int[] part = new int[6];
+            spanCentres(node.start + from, node.start + to, part);
+            synchronized (scratch) {
+                for (int axis = 0; axis < 3; axis++) {
+                    whole[axis] = Math.min(whole[axis], part[axis]);
+                    whole[axis + 3] = Math.max(whole[axis + 3], part[axis + 3]);
+                }
+            }
+        });
     }
 
-    private void bin(BinaryNode node, Scratch scratch, int bins) {
-        float[] boxes = scratch.boxes;
-        int[] counts = scratch.counts;
-        for (int i = 0; i < 3 * MAX_BINS * 8; i += 8) {
-            boxes[i] = Float.POSITIVE_INFINITY;
-            boxes[i + 1] = Float.POSITIVE_INFINITY;
-            boxes[i + 2] = Float.POSITIVE_INFINITY;
-            boxes[i + 4] = Float.NEGATIVE_INFINITY;
-            boxes[i + 5] = Float.NEGATIVE_INFINITY;
-            boxes[i + 6] = Float.NEGATIVE_INFINITY;
+    private void spanCentres(int start, int end, int[] centres) {
+        int lowX = Integer.MAX_VALUE;
+        int lowY = Integer.MAX_VALUE;
+        int lowZ = Integer.MAX_VALUE;
+        int highX = Integer.MIN_VALUE;
+        int highY = Integer.MIN_VALUE;
+        int highZ = Integer.MIN_VALUE;
+        int[] d = data;
+        for (int i = PrimitiveRecords.STRIDE * start; i < PrimitiveRecords.STRIDE * end; i += PrimitiveRecords.STRIDE) {
+            int x = d[i] + d[i + 4];
+            int y = d[i + 1] + d[i + 5];
+            int z = d[i + 2] + d[i + 6];
+            lowX = Math.min(lowX, x);
+            lowY = Math.min(lowY, y);
+            lowZ = Math.min(lowZ, z);
+            highX = Math.max(highX, x);
+            highY = Math.max(highY, y);
+            highZ = Math.max(highZ, z);
         }
-        Arrays.fill(counts, 0);
-        float[] c = scratch.centroids;
-        float lowX = c[0];
-        float lowY = c[1];
-        float lowZ = c[2];
-        float factorX = binFactor(lowX, c[3], bins);
-        float factorY = binFactor(lowY, c[4], bins);
-        float factorZ = binFactor(lowZ, c[5], bins);
-        float[] d = data;
-        int end = PrimitiveRecords.STRIDE * (node.start + node.count);
-        for (int i = PrimitiveRecords.STRIDE * node.start; i < end; i += PrimitiveRecords.STRIDE) {
-            float x0 = d[i];
-            float y0 = d[i + 1];
-            float z0 = d[i + 2];
-            float x1 = d[i + 4];
-            float y1 = d[i + 5];
-            float z1 = d[i + 6];
-            int binX = (int) ((x0 + x1 - lowX) * factorX);
-            int binY = MAX_BINS + (int) ((y0 + y1 - lowY) * factorY);
-            int binZ = 2 * MAX_BINS + (int) ((z0 + z1 - lowZ) * factorZ);
-            counts[binX]++;
-            counts[binY]++;
-            counts[binZ]++;
-            extend(boxes, 8 * binX, x0, y0, z0, x1, y1, z1);
-            extend(boxes, 8 * binY, x0, y0, z0, x1, y1, z1);
-            extend(boxes, 8 * binZ, x0, y0, z0, x1, y1, z1);
-        }
+        centres[0] = lowX;
+        centres[1] = lowY;
+        centres[2] = lowZ;
+        centres[3] = highX;
+        centres[4] = highY;
+        centres[5] = highZ;
     }
 
-    /** Branches are better than min and max here: boxes soon stop growing, so they are all predicted. */
-    private static void extend(float[] boxes, int at, float x0, float y0, float z0, float x1, float y1, float z1) {
-        if (x0 < boxes[at]) {
-            boxes[at] = x0;
-        }
-        if (y0 < boxes[at + 1]) {
-            boxes[at + 1] = y0;
-        }
-        if (z0 < boxes[at + 2]) {
-            boxes[at + 2] = z0;
-        }
-        if (x1 > boxes[at + 4]) {
-            boxes[at + 4] = x1;
-        }
-        if (y1 > boxes[at + 5]) {
-            boxes[at + 5] = y1;
-        }
-        if (z1 > boxes[at + 6]) {
-            boxes[at + 6] = z1;
+    private static void clear(int[] bins) {
+        for (int i = 0; i < 3 * AXIS; i += BIN) {
+            bins[i] = Integer.MAX_VALUE;
+            bins[i + 1] = Integer.MAX_VALUE;
+            bins[i + 2] = Integer.MAX_VALUE;
+            bins[i + 3] = 0;
+            bins[i + 4] = Integer.MIN_VALUE;
+            bins[i + 5] = Integer.MIN_VALUE;
+            bins[i + 6] = Integer.MIN_VALUE;
         }
     }
 
-    private float sweep(Scratch scratch, int axis, int bins, float bestSoFar) {
-        float[] boxes = scratch.boxes;
-        int[] counts = scratch.counts;
-        float[] rightArea = scratch.rightArea;
+    private static void merge(int[] from, int[] to) {
+        for (int i = 0; i < 3 * AXIS; i += BIN) {
+            to[i + 3] += from[i + 3];
+            for (int axis = 0; axis < 3; axis++) {
+                to[i + axis] = Math.min(to[i + axis], from[i + axis]);
+                to[i + 4 + axis] = Math.max(to[i + 4 + axis], from[i + 4 + axis]);
+            }
+        }
+    }
+
+    /** A centre c is in the bin {@code ((c - low) * factor) >>> 32}, which is less than the number of bins. */
+    private static long binFactor(int low, int high, int bins) {
+        return ((long) bins << 32) / ((long) high - low + 1);
+    }
+
+    private void bin(int start, int end, int[] centres, int[] bins, int binCount) {
+        int lowX = centres[0];
+        int lowY = centres[1];
+        int lowZ = centres[2];
+        long factorX = binFactor(lowX, centres[3], binCount);
+        long factorY = binFactor(lowY, centres[4], binCount);
+        long factorZ = binFactor(lowZ, centres[5], binCount);
+        int[] d = data;
+        for (int i = PrimitiveRecords.STRIDE * start; i < PrimitiveRecords.STRIDE * end; i += PrimitiveRecords.STRIDE) {
+            int x0 = d[i];
+            int y0 = d[i + 1];
+            int z0 = d[i + 2];
+            int x1 = d[i + 4];
+            int y1 = d[i + 5];
+            int z1 = d[i + 6];
+            int binX = (int) (((x0 + x1 - lowX) * factorX) >>> 32);
+            int binY = (int) (((y0 + y1 - lowY) * factorY) >>> 32);
+            int binZ = (int) (((z0 + z1 - lowZ) * factorZ) >>> 32);
+            extend(bins, BIN * binX, x0, y0, z0, x1, y1, z1);
+            extend(bins, AXIS + BIN * binY, x0, y0, z0, x1, y1, z1);
+            extend(bins, 2 * AXIS + BIN * binZ, x0, y0, z0, x1, y1, z1);
+        }
+    }
+
+    private static void extend(int[] bins, int at, int x0, int y0, int z0, int x1, int y1, int z1) {
+        bins[at] = Math.min(bins[at], x0);
+        bins[at + 1] = Math.min(bins[at + 1], y0);
+        bins[at + 2] = Math.min(bins[at + 2], z0);
+        bins[at + 3]++;
+        bins[at + 4] = Math.max(bins[at + 4], x1);
+        bins[at + 5] = Math.max(bins[at + 5], y1);
+        bins[at + 6] = Math.max(bins[at + 6], z1);
+    }
+
+    private double sweep(Scratch scratch, int axis, int binCount, double bestSoFar) {
+        int[] bins = scratch.bins;
+        double[] rightArea = scratch.rightArea;
         int[] rightCount = scratch.rightCount;
-        float best = bestSoFar;
-        float minX = Float.POSITIVE_INFINITY;
-        float minY = Float.POSITIVE_INFINITY;
-        float minZ = Float.POSITIVE_INFINITY;
-        float maxX = Float.NEGATIVE_INFINITY;
-        float maxY = Float.NEGATIVE_INFINITY;
-        float maxZ = Float.NEGATIVE_INFINITY;
+        double best = bestSoFar;
+        int minX = Integer.MAX_VALUE;
+        int minY = Integer.MAX_VALUE;
+        int minZ = Integer.MAX_VALUE;
+        int maxX = Integer.MIN_VALUE;
+        int maxY = Integer.MIN_VALUE;
+        int maxZ = Integer.MIN_VALUE;
         int count = 0;
-        for (int bin = bins - 1; bin > 0; bin--) {
-            int at = 8 * (axis * MAX_BINS + bin);
-            minX = boxes[at] < minX ? boxes[at] : minX;
-            minY = boxes[at + 1] < minY ? boxes[at + 1] : minY;
-            minZ = boxes[at + 2] < minZ ? boxes[at + 2] : minZ;
-            maxX = boxes[at + 4] > maxX ? boxes[at + 4] : maxX;
-            maxY = boxes[at + 5] > maxY ? boxes[at + 5] : maxY;
-            maxZ = boxes[at + 6] > maxZ ? boxes[at + 6] : maxZ;
-            count += counts[axis * MAX_BINS + bin];
-            float x = maxX - minX;
-            float y = maxY - minY;
-            float z = maxZ - minZ;
-            rightArea[bin] = x * (y + z) + y * z;
+        for (int bin = binCount - 1; bin > 0; bin--) {
+            int at = axis * AXIS + bin * BIN;
+            minX = Math.min(minX, bins[at]);
+            minY = Math.min(minY, bins[at + 1]);
+            minZ = Math.min(minZ, bins[at + 2]);
+            count += bins[at + 3];
+            maxX = Math.max(maxX, bins[at + 4]);
+            maxY = Math.max(maxY, bins[at + 5]);
+            maxZ = Math.max(maxZ, bins[at + 6]);
+            rightArea[bin] = halfArea(minX, minY, minZ, maxX, maxY, maxZ);
             rightCount[bin] = count;
         }
-        minX = Float.POSITIVE_INFINITY;
-        minY = Float.POSITIVE_INFINITY;
-        minZ = Float.POSITIVE_INFINITY;
-        maxX = Float.NEGATIVE_INFINITY;
-        maxY = Float.NEGATIVE_INFINITY;
-        maxZ = Float.NEGATIVE_INFINITY;
+        minX = Integer.MAX_VALUE;
+        minY = Integer.MAX_VALUE;
+        minZ = Integer.MAX_VALUE;
+        maxX = Integer.MIN_VALUE;
+        maxY = Integer.MIN_VALUE;
+        maxZ = Integer.MIN_VALUE;
         count = 0;
-        for (int bin = 1; bin < bins; bin++) {
-            int at = 8 * (axis * MAX_BINS + bin - 1);
-            minX = boxes[at] < minX ? boxes[at] : minX;
-            minY = boxes[at + 1] < minY ? boxes[at + 1] : minY;
-            minZ = boxes[at + 2] < minZ ? boxes[at + 2] : minZ;
-            maxX = boxes[at + 4] > maxX ? boxes[at + 4] : maxX;
-            maxY = boxes[at + 5] > maxY ? boxes[at + 5] : maxY;
-            maxZ = boxes[at + 6] > maxZ ? boxes[at + 6] : maxZ;
-            count += counts[axis * MAX_BINS + bin - 1];
+        for (int bin = 1; bin < binCount; bin++) {
+            int at = axis * AXIS + (bin - 1) * BIN;
+            minX = Math.min(minX, bins[at]);
+            minY = Math.min(minY, bins[at + 1]);
+            minZ = Math.min(minZ, bins[at + 2]);
+            count += bins[at + 3];
+            maxX = Math.max(maxX, bins[at + 4]);
+            maxY = Math.max(maxY, bins[at + 5]);
+            maxZ = Math.max(maxZ, bins[at + 6]);
             if (count == 0 || rightCount[bin] == 0) {
                 continue;
             }
-            float x = maxX - minX;
-            float y = maxY - minY;
-            float z = maxZ - minZ;
-            float cost = (x * (y + z) + y * z) * blocks(count) + rightArea[bin] * blocks(rightCount[bin]);
+            double cost = halfArea(minX, minY, minZ, maxX, maxY, maxZ) * blocks(count)
+                    + rightArea[bin] * blocks(rightCount[bin]);
             if (cost < best) {
                 best = cost;
                 scratch.splitAxis = axis;
@@ -340,24 +316,31 @@ final class BinnedSahBuilder {
         return best;
     }
 
+    private static double halfArea(int minX, int minY, int minZ, int maxX, int maxY, int maxZ) {
+        double x = (double) maxX - minX;
+        double y = (double) maxY - minY;
+        double z = (double) maxZ - minZ;
+        return x * (y + z) + y * z;
+    }
+
     private int blocks(int count) {
         return (count + leafWidth - 1) / leafWidth;
     }
 
     private int partition(BinaryNode node, Scratch scratch) {
         int axis = scratch.splitAxis;
-        int bins = Math.min(MAX_BINS, 4 + node.count / 16);
-        float low = scratch.centroids[axis];
-        float factor = binFactor(low, scratch.centroids[axis + 3], bins);
-        int splitBin = scratch.splitBin;
-        float[] d = data;
+        int low = scratch.centres[axis];
+        // The least centre of the bin at which the right side starts.
+        long factor = binFactor(low, scratch.centres[axis + 3], binCount(node.count));
+        long split = low + (((long) scratch.splitBin << 32) + factor - 1) / factor;
+        int[] d = data;
         int left = PrimitiveRecords.STRIDE * node.start;
         int right = PrimitiveRecords.STRIDE * (node.start + node.count - 1);
         while (true) {
-            while (left <= right && (int) ((d[left + axis] + d[left + 4 + axis] - low) * factor) < splitBin) {
+            while (left <= right && d[left + axis] + d[left + 4 + axis] < split) {
                 left += PrimitiveRecords.STRIDE;
             }
-            while (left <= right && (int) ((d[right + axis] + d[right + 4 + axis] - low) * factor) >= splitBin) {
+            while (left <= right && d[right + axis] + d[right + 4 + axis] >= split) {
                 right -= PrimitiveRecords.STRIDE;
             }
             if (left >= right) {
@@ -374,10 +357,10 @@ final class BinnedSahBuilder {
         int left = node.start;
         int right = node.start + node.count - 1;
         while (true) {
-            while (left <= right && records.number(left) < triangleCount) {
+            while (left <= right && records.isTriangle(left)) {
                 left++;
             }
-            while (left <= right && records.number(right) >= triangleCount) {
+            while (left <= right && !records.isTriangle(right)) {
                 right--;
             }
             if (left >= right) {
@@ -388,9 +371,9 @@ final class BinnedSahBuilder {
     }
 
     private void swap(int a, int b) {
-        float[] d = data;
+        int[] d = data;
         for (int k = 0; k < PrimitiveRecords.STRIDE; k++) {
-            float t = d[a + k];
+            int t = d[a + k];
             d[a + k] = d[b + k];
             d[b + k] = t;
         }

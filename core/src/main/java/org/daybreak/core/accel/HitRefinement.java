@@ -1,5 +1,7 @@
 package org.daybreak.core.accel;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * Turns the answer of an {@link Intersector} into a point in double precision, and tells how far the origin of a ray
  * that leaves this point must be moved off the surface. Mutable; owned by one worker.
@@ -18,26 +20,26 @@ package org.daybreak.core.accel;
  *       |det|, so that it keeps its sign if the distance δ from the plane exceeds 3 ε E.
  * </ul>
  *
- * Together 2 ε max|o| + 8 ε E is enough; {@link #offset} is twice that. A ray from {@code p ± offset · n} that goes away
+ * Together 2 ε max|o| + 8 ε E is enough; {@link #offset} is at least 1.5 times that. A ray from {@code p ± offset · n} that goes away
  * from the surface therefore meets neither its own triangle nor a coplanar neighbour of similar size. For the same
- * reason the point is kept off the edges of its triangle by a like distance: otherwise the rounded origin may lie
- * beyond a wall that stands on the edge, and the ray would leave a closed room.
+ * reason the point is kept off the edges of its triangle by four times that distance: otherwise the moved and rounded
+ * origin may lie beyond a wall that stands on the edge, and the ray would leave a closed room. (Walls that meet at less
+ * than some 15 degrees can still be crossed.)
  *
  * <p>Quadrics are tested in double precision; 2⁻⁴⁴ takes the place of ε. In instances the error arises in the space of
  * the level; a distance between planes there becomes the distance divided by |Mᵀn|, M the linear part of the map from
- * world to object.
+ * world to object. A step along the world's normal is no step along the normal there if M shears: for each unit off the
+ * plane it goes up to |M Mᵀn| / |Mᵀn|² along it, so that the distance from edges grows by this factor.
  */
 public final class HitRefinement {
     private static final double FLOAT_EPSILON = 0x1p-24;
     private static final double DOUBLE_EPSILON = 0x1p-44;
     private static final double POSITION_FACTOR = 4;
-    private static final double EXTENT_FACTOR = 16;
+    private static final double EXTENT_FACTOR = 12;
+    private static final double INSET_FACTOR = 4;
 
     /** Farthest that a hit is kept off an edge, as a barycentric coordinate. */
     private static final double MOST_INSET = 1.0 / 16;
-
-    /** Parameter of the hit on the ray that was refined. */
-    public double t;
 
     /** Barycentric coordinates of the second and third vertex; for quadrics undefined. */
     public double u, v;
@@ -59,7 +61,7 @@ public final class HitRefinement {
     public double offset;
 
     private final Ray local = new Ray();
-    private final float[] corners = new float[9];
+    private @Nullable Instance within;
 
     /**
      * Refines the hit that the ray reports.
@@ -74,9 +76,11 @@ public final class HitRefinement {
             return;
         }
         Instance instance = set.instance(ray.instance);
+        within = instance;
         instance.toObject(ray, local);
         local.t = ray.t;
         refineInLevel(level, ray.primitive, local);
+        within = null;
         toWorld(instance);
     }
 
@@ -106,27 +110,22 @@ public final class HitRefinement {
      * @param ray the query, in the space of the positions
      */
     public void triangle(float[] positions, int a, int b, int c, Ray ray) {
-        for (int axis = 0; axis < 3; axis++) {
-            corners[axis] = positions[a + axis];
-            corners[3 + axis] = positions[b + axis];
-            corners[6 + axis] = positions[c + axis];
-        }
-        double ax = corners[0];
-        double ay = corners[1];
-        double az = corners[2];
-        double e1x = corners[3] - ax;
-        double e1y = corners[4] - ay;
-        double e1z = corners[5] - az;
-        double e2x = corners[6] - ax;
-        double e2y = corners[7] - ay;
-        double e2z = corners[8] - az;
+        double ax = positions[a];
+        double ay = positions[a + 1];
+        double az = positions[a + 2];
+        double e1x = positions[b] - ax;
+        double e1y = positions[b + 1] - ay;
+        double e1z = positions[b + 2] - az;
+        double e2x = positions[c] - ax;
+        double e2y = positions[c + 1] - ay;
+        double e2z = positions[c + 2] - az;
         double nx = e1y * e2z - e1z * e2y;
         double ny = e1z * e2x - e1x * e2z;
         double nz = e1x * e2y - e1y * e2x;
-        double doubleArea = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        normalX = nx / doubleArea;
-        normalY = ny / doubleArea;
-        normalZ = nz / doubleArea;
+        double inverseDoubleArea = 1 / Math.sqrt(nx * nx + ny * ny + nz * nz);
+        normalX = nx * inverseDoubleArea;
+        normalY = ny * inverseDoubleArea;
+        normalZ = nz * inverseDoubleArea;
         double sx = ray.ox - ax;
         double sy = ray.oy - ay;
         double sz = ray.oz - az;
@@ -136,30 +135,31 @@ public final class HitRefinement {
         double inverse = -1 / (nx * ray.dx + ny * ray.dy + nz * ray.dz);
         double second = (e2x * qx + e2y * qy + e2z * qz) * inverse;
         double third = -(e1x * qx + e1y * qy + e1z * qz) * inverse;
-        double extent = extent();
-        double magnitude = Math.max(
-                Math.abs(ray.ox + ray.t * ray.dx),
-                Math.max(Math.abs(ray.oy + ray.t * ray.dy), Math.abs(ray.oz + ray.t * ray.dz)));
-        double inset = FLOAT_EPSILON * (POSITION_FACTOR * magnitude + EXTENT_FACTOR * extent) * extent / doubleArea;
+        // Sums bound the maxima of the derivation above and are cheaper: this runs for every hit.
+        double extent = Math.abs(e1x) + Math.abs(e1y) + Math.abs(e1z) + Math.abs(e2x) + Math.abs(e2y) + Math.abs(e2z);
+        double magnitude = Math.abs(ax) + Math.abs(ay) + Math.abs(az) + extent;
+        double bound = FLOAT_EPSILON * (POSITION_FACTOR * magnitude + EXTENT_FACTOR * extent);
+        double inset = INSET_FACTOR * bound * extent * inverseDoubleArea * slide(normalX, normalY, normalZ);
         setInside(second, third, Math.min(MOST_INSET, inset));
         x = ax + u * e1x + v * e2x;
         y = ay + u * e1y + v * e2y;
         z = az + u * e1z + v * e2z;
-        setParameter(ray);
-        magnitude = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
-        offset = FLOAT_EPSILON * (POSITION_FACTOR * magnitude + EXTENT_FACTOR * extent);
+        offset = bound;
     }
 
-    /** Length of the longest edge along an axis. */
-    private double extent() {
-        float[] c = corners;
-        double extent = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            float low = Math.min(c[axis], Math.min(c[axis + 3], c[axis + 6]));
-            float high = Math.max(c[axis], Math.max(c[axis + 3], c[axis + 6]));
-            extent = Math.max(extent, (double) high - low);
+    /** How far a step along the world's normal goes along a plane of the level for each unit off it; at least 1. */
+    private double slide(double nx, double ny, double nz) {
+        Instance i = within;
+        if (i == null) {
+            return 1;
         }
-        return extent;
+        double wx = i.worldToObject(0) * nx + i.worldToObject(4) * ny + i.worldToObject(8) * nz;
+        double wy = i.worldToObject(1) * nx + i.worldToObject(5) * ny + i.worldToObject(9) * nz;
+        double wz = i.worldToObject(2) * nx + i.worldToObject(6) * ny + i.worldToObject(10) * nz;
+        double ox = i.worldToObject(0) * wx + i.worldToObject(1) * wy + i.worldToObject(2) * wz;
+        double oy = i.worldToObject(4) * wx + i.worldToObject(5) * wy + i.worldToObject(6) * wz;
+        double oz = i.worldToObject(8) * wx + i.worldToObject(9) * wy + i.worldToObject(10) * wz;
+        return Math.sqrt(ox * ox + oy * oy + oz * oz) / (wx * wx + wy * wy + wz * wz);
     }
 
     /** Moves barycentric coordinates into the triangle that is smaller by the inset on all three sides. */
@@ -175,11 +175,6 @@ public final class HitRefinement {
             u = 1.0 / 3;
             v = 1.0 / 3;
         }
-    }
-
-    private void setParameter(Ray ray) {
-        double length = ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz;
-        t = ((x - ray.ox) * ray.dx + (y - ray.oy) * ray.dy + (z - ray.oz) * ray.dz) / length;
     }
 
     /**
@@ -248,7 +243,6 @@ public final class HitRefinement {
         normalX = wx / length;
         normalY = wy / length;
         normalZ = wz / length;
-        setParameter(ray);
         offset = inset / length;
     }
 

@@ -18,7 +18,7 @@ public final class OtherPrimitives {
         kinds = new int[quadricCount];
         worldToObject = new double[12 * quadricCount];
         for (int i = 0; i < quadricCount; i++) {
-            kinds[i] = set.quadric(i).kind().ordinal();
+            kinds[i] = set.quadric(i).tag();
             set.quadric(i).copyWorldToObject(worldToObject, 12 * i);
         }
         instances = new Instance[set.instanceCount()];

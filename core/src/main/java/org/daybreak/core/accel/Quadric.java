@@ -15,6 +15,10 @@ public final class Quadric {
         CYLINDER
     }
 
+    private static final int SPHERE_TAG = 0;
+    private static final int DISK_TAG = 1;
+    private static final int CYLINDER_TAG = 2;
+
     private final Kind kind;
     private final double[] objectToWorld;
     private final double[] worldToObject;
@@ -48,6 +52,15 @@ public final class Quadric {
     /** Canonical shape. */
     public Kind kind() {
         return kind;
+    }
+
+    /** The kind as the number that kernels switch on. */
+    int tag() {
+        return switch (kind) {
+            case SPHERE -> SPHERE_TAG;
+            case DISK -> DISK_TAG;
+            case CYLINDER -> CYLINDER_TAG;
+        };
     }
 
     /** Entry of the map from object to world; row-major 3×4. */
@@ -88,13 +101,13 @@ public final class Quadric {
     /**
      * Least parameter in (0, tMax) at which a ray meets a quadric.
      *
-     * @param kind ordinal of the {@link Kind}
+     * @param tag {@link #tag} of the quadric
      * @param m array that holds the map from world to object
      * @param at where in the array it starts
      * @return the parameter, or +∞ if there is none
      */
     static double intersect(
-            int kind,
+            int tag,
             double[] m,
             int at,
             double wox,
@@ -110,14 +123,11 @@ public final class Quadric {
         double oy = m[at + 4] * wox + m[at + 5] * woy + m[at + 6] * woz + m[at + 7];
         double dx = m[at] * wdx + m[at + 1] * wdy + m[at + 2] * wdz;
         double dy = m[at + 4] * wdx + m[at + 5] * wdy + m[at + 6] * wdz;
-        switch (kind) {
-            case 0:
-                return sphere(ox, oy, oz, dx, dy, dz, tMax);
-            case 1:
-                return disk(ox, oy, oz, dx, dy, dz, tMax);
-            default:
-                return cylinder(ox, oy, oz, dx, dy, dz, tMax);
-        }
+        return switch (tag) {
+            case SPHERE_TAG -> sphere(ox, oy, oz, dx, dy, dz, tMax);
+            case DISK_TAG -> disk(ox, oy, oz, dx, dy, dz, tMax);
+            default -> cylinder(ox, oy, oz, dx, dy, dz, tMax);
+        };
     }
 
     /**

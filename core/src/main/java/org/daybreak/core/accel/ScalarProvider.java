@@ -2,7 +2,7 @@ package org.daybreak.core.accel;
 
 import java.util.Optional;
 
-/** Provides the binary BVH with scalar traversal; always available. */
+/** Provides the BVH with scalar traversal; always available. */
 public final class ScalarProvider implements IntersectorProvider {
     @Override
     public String id() {
@@ -11,7 +11,7 @@ public final class ScalarProvider implements IntersectorProvider {
 
     @Override
     public String description() {
-        return "binary BVH, scalar code, runs anywhere";
+        return "BVH with 4 children, scalar code, runs anywhere";
     }
 
     @Override

@@ -45,6 +45,10 @@ public record ReconstructionFilter(Kind kind, double radius, double parameter) {
         if (!(radius >= 0.5 && radius <= 16)) {
             throw new IllegalArgumentException("the filter radius must be from 0.5 to 16 pixels but is " + radius);
         }
+        if (kind == Kind.MITCHELL && !Double.isFinite(parameter)) {
+            throw new IllegalArgumentException(
+                    "the parameter B of the Mitchell filter must be finite but is " + parameter);
+        }
         if (kind == Kind.GAUSSIAN && !(parameter > 0 && Double.isFinite(parameter))) {
             throw new IllegalArgumentException(
                     "the standard deviation of the Gaussian filter must be positive but is " + parameter);

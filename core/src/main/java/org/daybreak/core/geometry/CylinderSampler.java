@@ -1,5 +1,6 @@
 package org.daybreak.core.geometry;
 
+import org.daybreak.core.math.Arcs;
 import org.daybreak.core.math.Transform;
 
 /**
@@ -75,7 +76,7 @@ final class CylinderSampler implements SurfaceSampler {
         if (!(half > 0)) {
             return 0;
         }
-        double towards = Math.atan2(p[1], p[0]) + (flipNormals ? Math.PI : 0);
+        double towards = Arcs.atan2(p[1], p[0]) + (flipNormals ? Math.PI : 0);
         double stretch = fill(towards + (2 * u - 1) * half, v, out);
         return SurfaceSampler.perSolidAngle(1 / (2 * half * stretch), px, py, pz, out);
     }
@@ -109,7 +110,7 @@ final class CylinderSampler implements SurfaceSampler {
      */
     private double facingHalfArc(double squared) {
         if (squared > 1) {
-            double outer = Math.acos(1 / Math.sqrt(squared));
+            double outer = Arcs.acos(1 / Math.sqrt(squared));
             return flipNormals ? Math.PI - outer : outer;
         }
         return flipNormals ? Math.PI : 0;

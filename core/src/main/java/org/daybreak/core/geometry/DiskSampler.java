@@ -6,7 +6,7 @@ import org.daybreak.core.sampling.Warps;
 /** The unit disk under an affine map: an ellipse, sampled uniformly by area. */
 final class DiskSampler implements SurfaceSampler {
     /** The estimate of the irradiance from the centre alone is good from this many radii away. */
-    private static final double SQUARED_MIDDLE = 4 * 4;
+    private static final double SQUARED_MIDDLE = 3 * 3;
 
     /** Half the side of the square with the area of the unit disk. */
     private static final double EQUAL_SQUARE = Math.sqrt(Math.PI) / 2;

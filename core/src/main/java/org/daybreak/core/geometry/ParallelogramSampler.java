@@ -10,11 +10,11 @@ final class ParallelogramSampler implements SurfaceSampler {
     /** Edges whose cosine is at most this count as perpendicular: rounding of matrices in scene files. */
     private static final double RIGHT_ANGLE = 1e-5;
 
-    /** From this many radii away the integrand varies by some percent only, so cheap sampling by area is as good. */
-    private static final double SQUARED_FAR = 40 * 40;
+    /** From this many radii away the integrand varies by less than a tenth, so cheap sampling by area is as good. */
+    private static final double SQUARED_FAR = 4;
 
     /** The estimate of the irradiance from the centre alone is good from this many radii away. */
-    private static final double SQUARED_MIDDLE = 4 * 4;
+    private static final double SQUARED_MIDDLE = 3 * 3;
 
     /** Below this solid angle its rounding error, about 1e-15, would show in the density. */
     private static final double LEAST_SOLID_ANGLE = 1e-7;

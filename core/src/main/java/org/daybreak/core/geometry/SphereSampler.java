@@ -150,9 +150,9 @@ final class SphereSampler implements SurfaceSampler {
         double squaredDistance = dx * dx + dy * dy + dz * dz;
         double squaredRadius = radius * radius;
         boolean fluence = nx == 0 && ny == 0 && nz == 0;
-        if (flipNormals) {
-            // Lights its inside only, where at most every direction is bright; from outside its own front hides it.
-            return squaredDistance > squaredRadius ? 0 : fluence ? 4 * Math.PI : Math.PI;
+        if (flipNormals && !(squaredDistance > squaredRadius)) {
+            // From within a sphere that faces inwards, every direction is bright.
+            return fluence ? 4 * Math.PI : Math.PI;
         }
         double receiver = Irradiance.receiver(dx, dy, dz, squaredDistance, squaredRadius, nx, ny, nz);
         if (similarity) {

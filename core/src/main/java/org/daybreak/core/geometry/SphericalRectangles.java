@@ -1,5 +1,7 @@
 package org.daybreak.core.geometry;
 
+import org.daybreak.core.math.Arcs;
+
 /**
  * Sampling of rectangles by solid angle (Ureña, Fajardo and King, “An Area-Preserving Parametrization for Spherical
  * Rectangles”, CGF 32(4), 2013). Pure functions on the rectangle [x0, x1] × [y0, y1] at height −z below the origin, z &gt; 0;
@@ -45,7 +47,7 @@ final class SphericalRectangles {
         double cos01 = cos0 * cos1 - sin0 * sin1;
         double sin23 = sin2 * cos3 + cos2 * sin3;
         double cos23 = cos2 * cos3 - sin2 * sin3;
-        double angle = Math.atan2(sin01 * cos23 + cos01 * sin23, cos01 * cos23 - sin01 * sin23);
+        double angle = Arcs.atan2(sin01 * cos23 + cos01 * sin23, cos01 * cos23 - sin01 * sin23);
         work[FIRST_SINE] = -sin23;
         work[FIRST_COSINE] = cos23;
         work[B0] = n0;

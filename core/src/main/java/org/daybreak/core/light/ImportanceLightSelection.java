@@ -7,7 +7,7 @@ import java.util.List;
  * them.
  *
  * <p>A small part of the choices is uniform among the lights that can contribute at all, so that an estimate that is too low
- * costs a bounded amount of variance.
+ * costs a bounded amount of variance. A single light is always chosen, without a look at it.
  */
 public final class ImportanceLightSelection implements LightSelection {
     /** Part of the choices that does not follow the estimates. */
@@ -28,11 +28,16 @@ public final class ImportanceLightSelection implements LightSelection {
     @Override
     public int choose(double px, double py, double pz, double nx, double ny, double nz, double u) {
         if (lights.length == 1) {
-            return importance(0, px, py, pz, nx, ny, nz) > 0 ? 0 : -1;
+            return 0;
         }
-        double total = 0;
-        int candidates = 0;
-        for (int i = 0; i < lights.length; i++) {
+        // Most scenes have up to four lights. Their estimates fit into variables and need not be computed twice.
+        double w0 = importanceIfAny(0, px, py, pz, nx, ny, nz);
+        double w1 = importanceIfAny(1, px, py, pz, nx, ny, nz);
+        double w2 = importanceIfAny(2, px, py, pz, nx, ny, nz);
+        double w3 = importanceIfAny(3, px, py, pz, nx, ny, nz);
+        double total = w0 + w1 + w2 + w3;
+        int candidates = (w0 > 0 ? 1 : 0) + (w1 > 0 ? 1 : 0) + (w2 > 0 ? 1 : 0) + (w3 > 0 ? 1 : 0);
+        for (int i = 4; i < lights.length; i++) {
             double importance = importance(i, px, py, pz, nx, ny, nz);
             if (importance > 0) {
                 total += importance;
@@ -42,7 +47,8 @@ public final class ImportanceLightSelection implements LightSelection {
         double left = u;
         int last = -1;
         for (int i = 0; candidates > 0 && i < lights.length; i++) {
-            double importance = importance(i, px, py, pz, nx, ny, nz);
+            double importance =
+                    i > 3 ? importance(i, px, py, pz, nx, ny, nz) : i == 0 ? w0 : i == 1 ? w1 : i == 2 ? w2 : w3;
             if (importance > 0) {
                 last = i;
                 left -= mix(importance, total, candidates);
@@ -56,6 +62,9 @@ public final class ImportanceLightSelection implements LightSelection {
 
     @Override
     public double probability(int light, double px, double py, double pz, double nx, double ny, double nz) {
+        if (lights.length == 1) {
+            return 1;
+        }
         double own = importance(light, px, py, pz, nx, ny, nz);
         if (!(own > 0)) {
             return 0;
@@ -84,6 +93,10 @@ public final class ImportanceLightSelection implements LightSelection {
 
     private static double mix(double importance, double total, int candidates) {
         return (1 - UNIFORM_SHARE) * (importance / total) + UNIFORM_SHARE / candidates;
+    }
+
+    private double importanceIfAny(int light, double px, double py, double pz, double nx, double ny, double nz) {
+        return light < lights.length ? importance(light, px, py, pz, nx, ny, nz) : 0;
     }
 
     private double importance(int light, double px, double py, double pz, double nx, double ny, double nz) {

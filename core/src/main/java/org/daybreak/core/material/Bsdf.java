@@ -97,6 +97,21 @@ public interface Bsdf {
         return false;
     }
 
+    /**
+     * True if the material depends on where on the surface a point is, so that texture coordinates must be computed. Assumed
+     * unless a material knows better.
+     */
+    default boolean textured() {
+        return true;
+    }
+
+    /**
+     * True if {@link #sample} reads its number {@code w}. Callers may save themselves a random number otherwise.
+     */
+    default boolean choosesLobe() {
+        return true;
+    }
+
     /** Approximate directional-hemispherical reflectance plus transmittance for {@code wo} at the normal: the albedo image. */
     void albedo(SurfacePoint point, Spectrum out);
 }

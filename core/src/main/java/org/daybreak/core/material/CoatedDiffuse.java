@@ -45,6 +45,11 @@ final class CoatedDiffuse {
         }
     }
 
+    /** True unless the reflectance is the same everywhere. */
+    boolean varies() {
+        return reflectance.varies();
+    }
+
     private double multiplied(double rho) {
         return rho / (1 - rho * internalReflectance);
     }

@@ -37,6 +37,16 @@ public final class Conductor extends DeltaBsdf {
     }
 
     @Override
+    public boolean textured() {
+        return specularReflectance.varies();
+    }
+
+    @Override
+    public boolean choosesLobe() {
+        return false;
+    }
+
+    @Override
     public boolean sample(
             SurfacePoint point,
             double woX,

@@ -30,6 +30,11 @@ public final class Dielectric extends DeltaBsdf {
     }
 
     @Override
+    public boolean textured() {
+        return specularReflectance.varies() || specularTransmittance.varies();
+    }
+
+    @Override
     public boolean transmissive() {
         return true;
     }

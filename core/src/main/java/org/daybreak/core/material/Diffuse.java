@@ -21,6 +21,16 @@ public final class Diffuse implements Bsdf {
     }
 
     @Override
+    public boolean textured() {
+        return reflectance.varies();
+    }
+
+    @Override
+    public boolean choosesLobe() {
+        return false;
+    }
+
+    @Override
     public boolean connectable() {
         return true;
     }

@@ -24,6 +24,11 @@ public final class Mask implements Bsdf {
     }
 
     @Override
+    public boolean textured() {
+        return !opacity.isConstant() || nested.textured();
+    }
+
+    @Override
     public boolean connectable() {
         return nested.connectable();
     }

@@ -38,6 +38,11 @@ public final class Plastic implements Bsdf {
     }
 
     @Override
+    public boolean textured() {
+        return base.varies() || specularReflectance.varies();
+    }
+
+    @Override
     public boolean connectable() {
         return true;
     }

@@ -55,6 +55,11 @@ final class Reflectance {
         }
     }
 
+    /** True unless the texture is constant. */
+    boolean varies() {
+        return varying != null;
+    }
+
     /** Mean over channels and texture, for choosing between lobes; zero only if the reflectance is zero everywhere. */
     double samplingWeight() {
         return samplingWeight;

@@ -47,6 +47,16 @@ public final class RoughConductor implements Bsdf {
     }
 
     @Override
+    public boolean textured() {
+        return specularReflectance.varies();
+    }
+
+    @Override
+    public boolean choosesLobe() {
+        return false;
+    }
+
+    @Override
     public boolean connectable() {
         return true;
     }

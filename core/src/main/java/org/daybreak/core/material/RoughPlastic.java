@@ -56,6 +56,11 @@ public final class RoughPlastic implements Bsdf {
     }
 
     @Override
+    public boolean textured() {
+        return base.varies() || specularReflectance.varies();
+    }
+
+    @Override
     public boolean connectable() {
         return true;
     }

@@ -32,6 +32,16 @@ public final class TwoSided implements Bsdf {
     }
 
     @Override
+    public boolean textured() {
+        return front.textured() || back.textured();
+    }
+
+    @Override
+    public boolean choosesLobe() {
+        return front.choosesLobe() || back.choosesLobe();
+    }
+
+    @Override
     public boolean connectable() {
         return front.connectable() || back.connectable();
     }

@@ -2,6 +2,8 @@ package org.daybreak.core.render;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -26,7 +28,7 @@ public abstract class OrderedWork<S> {
     private long committed;
     private boolean exhausted;
     private boolean committing;
-    private int running;
+    private int waiting;
     private @Nullable Throwable failure;
 
     /** Creates the work; {@link #run} may be called once. */
@@ -75,16 +77,16 @@ public abstract class OrderedWork<S> {
         for (int i = 0; i < capacity; i++) {
             slots.add(newSlot());
         }
+        CountDownLatch ended = new CountDownLatch(threads);
         List<Thread> workers = new ArrayList<>();
         for (int i = 0; i < threads; i++) {
             Worker<S> worker = newWorker();
-            Thread thread = new Thread(() -> work(worker), "daybreak-worker-" + i);
+            Thread thread = new Thread(() -> work(worker, ended), "daybreak-worker-" + i);
             thread.setDaemon(true);
             workers.add(thread);
         }
-        running = threads;
         workers.forEach(Thread::start);
-        boolean interrupted = watchUntilDone();
+        boolean interrupted = watchUntilDone(ended);
         for (Thread thread : workers) {
             interrupted |= joinUninterruptibly(thread);
         }
@@ -94,17 +96,17 @@ public abstract class OrderedWork<S> {
         rethrow();
     }
 
-    private boolean watchUntilDone() {
+    /** Waits apart from the workers' lock, so that no commit wakes the caller up. */
+    private boolean watchUntilDone(CountDownLatch ended) {
         boolean interrupted = false;
         while (true) {
-            synchronized (lock) {
-                if (running == 0) {
+            try {
+                if (ended.await(WATCH_MILLISECONDS, TimeUnit.MILLISECONDS)) {
                     return interrupted;
                 }
-                try {
-                    lock.wait(WATCH_MILLISECONDS);
-                } catch (InterruptedException e) {
-                    interrupted = true;
+            } catch (InterruptedException e) {
+                interrupted = true;
+                synchronized (lock) {
                     exhausted = true;
                     lock.notifyAll();
                 }
@@ -139,7 +141,7 @@ public abstract class OrderedWork<S> {
         }
     }
 
-    private void work(Worker<S> worker) {
+    private void work(Worker<S> worker, CountDownLatch ended) {
         try {
             while (true) {
                 long unit;
@@ -159,21 +161,21 @@ public abstract class OrderedWork<S> {
         } catch (RuntimeException | Error e) {
             fail(e);
         } finally {
-            synchronized (lock) {
-                running--;
-                lock.notifyAll();
-            }
+            ended.countDown();
         }
     }
 
     /** The next unit to compute, -1 if there is none. The lock is held. */
     private long claimNext() {
         while (!exhausted && claimed - committed >= finished.length) {
+            waiting++;
             try {
                 lock.wait();
             } catch (InterruptedException e) {
                 // Nobody but this class knows the thread, so an interrupt can only mean that the program is going down.
                 exhausted = true;
+            } finally {
+                waiting--;
             }
         }
         if (exhausted) {
@@ -208,7 +210,9 @@ public abstract class OrderedWork<S> {
             synchronized (lock) {
                 finished[slotOf(unit)] = false;
                 committed++;
-                lock.notifyAll();
+                if (waiting > 0) {
+                    lock.notifyAll();
+                }
             }
         }
     }

@@ -1,5 +1,7 @@
 package org.daybreak.core.render;
 
+import java.util.Map;
+
 /**
  * What a render is given besides scene, camera and film. Immutable.
  *
@@ -22,5 +24,25 @@ public record RenderContext(
         if (threads < 1) {
             throw new ParameterException("the number of threads must be at least 1 but is " + threads);
         }
+    }
+
+    /**
+     * A context with seed 0, all processors, the default antialiasing method, and nobody who listens or cancels.
+     *
+     * @throws ParameterException if the default antialiasing method is not on the class path
+     */
+    public static RenderContext of(RenderBudget budget) {
+        return new RenderContext(
+                0,
+                Runtime.getRuntime().availableProcessors(),
+                budget,
+                Renderers.createAntialiasing(Renderers.DEFAULT_ANTIALIASING, Map.of()),
+                new CancellationToken(),
+                RenderListener.NONE);
+    }
+
+    /** The same context with another listener. */
+    public RenderContext withListener(RenderListener other) {
+        return new RenderContext(seed, threads, budget, antialiasing, cancellation, other);
     }
 }

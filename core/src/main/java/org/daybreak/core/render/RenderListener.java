@@ -1,11 +1,22 @@
 package org.daybreak.core.render;
 
+import java.util.function.Consumer;
 import org.daybreak.core.film.Film;
 
 /** Hears of a render's progress. Called from one thread at a time, never concurrently; should return quickly. */
 public interface RenderListener {
     /** A listener that ignores everything. */
     RenderListener NONE = new RenderListener() {};
+
+    /** A listener that hears of progress only. */
+    static RenderListener ofProgress(Consumer<Progress> consumer) {
+        return new RenderListener() {
+            @Override
+            public void progress(Progress progress) {
+                consumer.accept(progress);
+            }
+        };
+    }
 
     /** Called several times a second at most. */
     default void progress(Progress progress) {}

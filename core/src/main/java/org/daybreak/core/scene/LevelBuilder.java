@@ -39,9 +39,10 @@ final class LevelBuilder {
      * Adds a shape.
      *
      * @param index the shape's number in the scene
+     * @param textured whether anything on it depends on texture coordinates
      * @throws IllegalArgumentException if the level would have more than 2³¹ coordinates or corners
      */
-    void add(int index, Shape shape, Transform toLevel, boolean flipNormals) {
+    void add(int index, Shape shape, Transform toLevel, boolean flipNormals, boolean textured) {
         if (shape instanceof TriangleMesh mesh) {
             addMesh(index, mesh, toLevel, flipNormals);
         } else if (shape instanceof Rectangle) {
@@ -49,11 +50,11 @@ final class LevelBuilder {
         } else if (shape instanceof Cube) {
             addMesh(index, CubeMesh.MESH, toLevel, flipNormals);
         } else if (shape instanceof Sphere sphere) {
-            addQuadric(index, Quadric.Kind.SPHERE, toLevel.multiply(ShapeFrames.of(sphere)), flipNormals);
+            addQuadric(index, Quadric.Kind.SPHERE, toLevel.multiply(ShapeFrames.of(sphere)), flipNormals, textured);
         } else if (shape instanceof Disk) {
-            addQuadric(index, Quadric.Kind.DISK, toLevel, flipNormals);
+            addQuadric(index, Quadric.Kind.DISK, toLevel, flipNormals, textured);
         } else if (shape instanceof Cylinder cylinder) {
-            addQuadric(index, Quadric.Kind.CYLINDER, toLevel.multiply(ShapeFrames.of(cylinder)), flipNormals);
+            addQuadric(index, Quadric.Kind.CYLINDER, toLevel.multiply(ShapeFrames.of(cylinder)), flipNormals, textured);
         }
     }
 
@@ -69,9 +70,9 @@ final class LevelBuilder {
                 quadricShapes.toArray(new LevelGeometry.QuadricShape[0]));
     }
 
-    private void addQuadric(int index, Quadric.Kind kind, Transform toLevel, boolean flipNormals) {
+    private void addQuadric(int index, Quadric.Kind kind, Transform toLevel, boolean flipNormals, boolean textured) {
         quadrics.add(new Quadric(kind, toLevel.rows(), toLevel.inverse().rows()));
-        quadricShapes.add(new LevelGeometry.QuadricShape(index, flipNormals));
+        quadricShapes.add(new LevelGeometry.QuadricShape(index, flipNormals, textured));
     }
 
     private void addMesh(int index, TriangleMesh mesh, Transform toLevel, boolean flipNormals) {

@@ -29,8 +29,9 @@ final class LevelGeometry {
      *
      * @param shape the shape's number in the scene
      * @param flipped true if its front is the inside
+     * @param textured true if something on it depends on texture coordinates, which cost arc functions
      */
-    record QuadricShape(int shape, boolean flipped) {}
+    record QuadricShape(int shape, boolean flipped, boolean textured) {}
 
     /**
      * Takes over all arrays.
@@ -142,6 +143,11 @@ final class LevelGeometry {
             hit.gz = -hit.gz;
         }
         setFrame(hit, hit.gx, hit.gy, hit.gz);
+        if (!shape.textured()) {
+            hit.u = 0;
+            hit.v = 0;
+            return;
+        }
         double phi = Math.atan2(refined.objectY, refined.objectX) / TWO_PI;
         double turn = phi < 0 ? phi + 1 : phi;
         switch (quadrics[index].kind()) {

@@ -74,8 +74,9 @@ public final class SceneCompiler {
             int index = bsdfs.size();
             bsdfs.add(node.material());
             Shape geometry = wound(node.shape());
-            builder.add(index, geometry, shape.toLevel(), node.flipNormals());
             Texture radiance = node.radiance();
+            boolean textured = node.material().textured() || (radiance != null && !radiance.isConstant());
+            builder.add(index, geometry, shape.toLevel(), node.flipNormals(), textured);
             if (radiance == null) {
                 lightOfShape.add(-1);
             } else {
@@ -116,12 +117,14 @@ public final class SceneCompiler {
         for (FlatScene.Prototype prototype : flat.usedPrototypes()) {
             LevelBuilder builder = new LevelBuilder();
             for (FlatScene.PlacedShape shape : prototype.shapes) {
+                ShapeNode node = shape.node();
                 builder.add(
                         bsdfs.size(),
-                        wound(shape.node().shape()),
+                        wound(node.shape()),
                         shape.toLevel(),
-                        shape.node().flipNormals());
-                bsdfs.add(shape.node().material());
+                        node.flipNormals(),
+                        node.material().textured());
+                bsdfs.add(node.material());
             }
             LevelGeometry geometry = builder.build();
             PrimitiveSet set = geometry.primitives(new Instance[0]);

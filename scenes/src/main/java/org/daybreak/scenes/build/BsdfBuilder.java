@@ -2,7 +2,6 @@ package org.daybreak.scenes.build;
 
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.material.Bsdf;
 import org.daybreak.core.material.Conductor;
@@ -32,7 +31,7 @@ final class BsdfBuilder {
 
     private final BuildContext context;
     private final TextureBuilder textures;
-    private final Map<ObjectDescription, Bsdf> built = new IdentityHashMap<>();
+    private final IdentityHashMap<ObjectDescription, Bsdf> built = new IdentityHashMap<>();
 
     BsdfBuilder(BuildContext context, TextureBuilder textures) {
         this.context = context;

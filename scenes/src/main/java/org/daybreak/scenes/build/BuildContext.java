@@ -27,7 +27,7 @@ final class BuildContext {
     private final SceneDescription description;
     private final ImageLoader images;
     private final ProblemList problems;
-    private final Map<ObjectDescription, Properties> checked = new IdentityHashMap<>();
+    private final IdentityHashMap<ObjectDescription, Properties> checked = new IdentityHashMap<>();
     private final List<ObjectDescription> building = new ArrayList<>();
 
     BuildContext(SceneDescription description, ImageLoader images, ProblemList problems) {
@@ -100,11 +100,9 @@ final class BuildContext {
      * @return what the builder returns, or null if the object contains itself or nests too deep, which is reported
      */
     <T> @Nullable T build(ObjectDescription object, SourceLocation usedAt, Supplier<@Nullable T> builder) {
-        for (ObjectDescription outer : building) {
-            if (outer == object) {
-                error(usedAt, "the object with the id '" + object.id() + "' contains itself");
-                return null;
-            }
+        if (building.contains(object)) {
+            error(usedAt, "the object with the id '" + object.id() + "' contains itself");
+            return null;
         }
         if (building.size() == NESTING) {
             error(usedAt, "objects are nested more than " + NESTING + " levels deep");

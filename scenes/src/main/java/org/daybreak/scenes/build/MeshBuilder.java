@@ -27,8 +27,8 @@ final class MeshBuilder {
 
     private final BuildContext context;
     private final Map<String, TriangleMesh> read = new HashMap<>();
-    private final Map<TriangleMesh, TriangleMesh> smoothed = new IdentityHashMap<>();
-    private final Map<TriangleMesh, TriangleMesh> flattened = new IdentityHashMap<>();
+    private final IdentityHashMap<TriangleMesh, TriangleMesh> smoothed = new IdentityHashMap<>();
+    private final IdentityHashMap<TriangleMesh, TriangleMesh> flattened = new IdentityHashMap<>();
 
     MeshBuilder(BuildContext context) {
         this.context = context;

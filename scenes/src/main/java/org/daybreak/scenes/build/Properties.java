@@ -11,7 +11,6 @@ import java.util.TreeSet;
 import javax.vecmath.Matrix4d;
 import javax.vecmath.Point3d;
 import org.daybreak.core.render.NearestName;
-import org.daybreak.scenes.build.PropertyDefinition.Type;
 import org.daybreak.scenes.description.ObjectDescription;
 import org.daybreak.scenes.description.ObjectKind;
 import org.daybreak.scenes.description.PropertyDescription;
@@ -101,7 +100,7 @@ final class Properties {
             // Reported; which property or kind was meant cannot be known.
             mentioned.add(property.name());
             for (PropertyDefinition definition : plugin.properties()) {
-                if (property.name().isEmpty() && definition.type() == Type.OBJECT) {
+                if (property.name().isEmpty() && definition.type() == ValueType.OBJECT) {
                     mentioned.add(definition.name());
                 }
             }
@@ -110,7 +109,7 @@ final class Properties {
         Child child = new Child(nested, property.location());
         PropertyDefinition byKind = null;
         for (PropertyDefinition definition : plugin.properties()) {
-            if (definition.type() == Type.OBJECT && definition.kind() == nested.kind()) {
+            if (definition.type() == ValueType.OBJECT && definition.kind() == nested.kind()) {
                 byKind = definition;
             }
         }
@@ -129,7 +128,7 @@ final class Properties {
         PropertyDefinition definition = definition(name);
         Set<String> textured = new TreeSet<>();
         for (PropertyDefinition d : plugin.properties()) {
-            if (d.type() == Type.REFLECTANCE || d.type() == Type.TEXTURED_EMISSION) {
+            if (d.type() == ValueType.REFLECTANCE || d.type() == ValueType.TEXTURED_EMISSION) {
                 textured.add(d.name());
             }
         }
@@ -155,7 +154,7 @@ final class Properties {
     }
 
     private void checkPresence(PropertyDefinition definition) {
-        if (definition.type() == Type.OBJECT) {
+        if (definition.type() == ValueType.OBJECT) {
             ObjectKind kind = definition.kind();
             int count = kind == null ? 0 : children(kind).size();
             if (count > definition.maximum()) {
@@ -174,7 +173,7 @@ final class Properties {
 
     private @Nullable PropertyDefinition definition(String name) {
         for (PropertyDefinition definition : plugin.properties()) {
-            if (definition.type() != Type.OBJECT && definition.name().equals(name)) {
+            if (definition.type() != ValueType.OBJECT && definition.name().equals(name)) {
                 return definition;
             }
         }
@@ -183,7 +182,7 @@ final class Properties {
 
     private List<String> propertyNames() {
         return plugin.properties().stream()
-                .filter(d -> d.type() != Type.OBJECT)
+                .filter(d -> d.type() != ValueType.OBJECT)
                 .map(PropertyDefinition::name)
                 .toList();
     }
@@ -193,7 +192,7 @@ final class Properties {
         return switch (definition.type()) {
             case INTEGER ->
                 value instanceof Value.WholeNumber n
-                        ? outside(definition, n.value(), Long.toString(n.value()))
+                        ? outside(definition, (double) n.value(), Long.toString(n.value()))
                         : wrongType(value);
             case FLOAT -> {
                 Double n = number(value);
@@ -314,9 +313,10 @@ final class Properties {
     /** A switch, or its default. */
     boolean truth(String name) {
         PropertyDescription property = values.get(name);
-        return property != null && property.value() instanceof Value.Switch s
-                ? s.value()
-                : Boolean.parseBoolean(defaultText(name));
+        if (property != null && property.value() instanceof Value.Switch s) {
+            return s.value();
+        }
+        return Boolean.parseBoolean(defaultText(name));
     }
 
     /** A text, or its default; words out of several are in lower case. */
@@ -326,7 +326,7 @@ final class Properties {
             return defaultText(name);
         }
         PropertyDefinition definition = definition(name);
-        boolean choice = definition != null && definition.type() == Type.CHOICE;
+        boolean choice = definition != null && definition.type() == ValueType.CHOICE;
         return choice ? text.value().toLowerCase(Locale.ROOT) : text.value();
     }
 
@@ -362,7 +362,7 @@ final class Properties {
     double[] color(String name) {
         PropertyDefinition definition = definition(name);
         boolean emission = definition != null
-                && (definition.type() == Type.EMISSION || definition.type() == Type.TEXTURED_EMISSION);
+                && (definition.type() == ValueType.EMISSION || definition.type() == ValueType.TEXTURED_EMISSION);
         PropertyDescription property = values.get(name);
         double[] given = property == null ? null : color(property.value(), emission);
         if (given != null) {
@@ -381,7 +381,7 @@ final class Properties {
     /** True if a textured property must not exceed 1. */
     boolean isReflectance(String name) {
         PropertyDefinition definition = definition(name);
-        return definition != null && definition.type() == Type.REFLECTANCE;
+        return definition != null && definition.type() == ValueType.REFLECTANCE;
     }
 
     /** The contained objects of a kind. */

@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  */
 public record PropertyDefinition(
         String name,
-        Type type,
+        ValueType type,
         @Nullable String defaultValue,
         boolean required,
         double minimum,
@@ -28,44 +28,12 @@ public record PropertyDefinition(
         List<String> choices,
         @Nullable ObjectKind kind,
         String doc) {
-    /** Kind of value a property takes. */
-    public enum Type {
-        /** A whole number. */
-        INTEGER,
-        /** A real number. */
-        FLOAT,
-        /** True or false. */
-        BOOLEAN,
-        /** A text. */
-        STRING,
-        /** One word out of several. */
-        CHOICE,
-        /** A file name, relative to the file it stands in. */
-        FILE,
-        /** A point. */
-        POINT,
-        /** A refractive index or the name of a substance. */
-        REFRACTIVE_INDEX,
-        /** A colour, the same everywhere on the surface, not limited to 1. */
-        COLOR,
-        /** A colour or a texture with values from 0 to 1. */
-        REFLECTANCE,
-        /** Emitted radiance or intensity: a colour, the same everywhere. */
-        EMISSION,
-        /** Emitted radiance: a colour or a texture. */
-        TEXTURED_EMISSION,
-        /** An affine transform. */
-        TRANSFORM,
-        /** Nested objects of one kind. */
-        OBJECT
-    }
-
     /** Copies the choices. */
     public PropertyDefinition {
         choices = List.copyOf(choices);
     }
 
-    static PropertyDefinition of(String name, Type type, String defaultValue, String doc) {
+    static PropertyDefinition value(String name, ValueType type, String defaultValue, String doc) {
         return new PropertyDefinition(
                 name,
                 type,
@@ -78,18 +46,18 @@ public record PropertyDefinition(
                 doc);
     }
 
-    static PropertyDefinition optional(String name, Type type, String doc) {
+    static PropertyDefinition optional(String name, ValueType type, String doc) {
         return new PropertyDefinition(
                 name, type, null, false, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, List.of(), null, doc);
     }
 
     static PropertyDefinition choice(String name, String defaultValue, List<String> choices, String doc) {
-        return new PropertyDefinition(name, Type.CHOICE, defaultValue, false, 0, 0, choices, null, doc);
+        return new PropertyDefinition(name, ValueType.CHOICE, defaultValue, false, 0, 0, choices, null, doc);
     }
 
     static PropertyDefinition objects(ObjectKind kind, int minimum, int maximum, String doc) {
         return new PropertyDefinition(
-                kind.element(), Type.OBJECT, null, minimum > 0, minimum, maximum, List.of(), kind, doc);
+                kind.element(), ValueType.OBJECT, null, minimum > 0, minimum, maximum, List.of(), kind, doc);
     }
 
     PropertyDefinition between(double smallest, double largest) {
@@ -137,7 +105,7 @@ public record PropertyDefinition(
 
     private String range(boolean whole) {
         boolean below = minimum > Double.NEGATIVE_INFINITY;
-        boolean above = maximum < Double.POSITIVE_INFINITY;
+        boolean above = maximum < (whole ? Integer.MAX_VALUE : Double.MAX_VALUE);
         if (minimum == Double.MIN_VALUE) {
             return above ? " greater than 0, at most " + number(maximum, whole) : " greater than 0";
         }

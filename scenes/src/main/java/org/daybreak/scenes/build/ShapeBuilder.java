@@ -1,7 +1,6 @@
 package org.daybreak.scenes.build;
 
 import java.util.IdentityHashMap;
-import java.util.Map;
 import javax.vecmath.Matrix4d;
 import org.daybreak.core.geometry.Cube;
 import org.daybreak.core.geometry.Cylinder;
@@ -26,7 +25,7 @@ final class ShapeBuilder {
     private final TextureBuilder textures;
     private final BsdfBuilder bsdfs;
     private final MeshBuilder meshes;
-    private final Map<ObjectDescription, Group> groups = new IdentityHashMap<>();
+    private final IdentityHashMap<ObjectDescription, Group> groups = new IdentityHashMap<>();
     private int lights;
 
     ShapeBuilder(BuildContext context, TextureBuilder textures, BsdfBuilder bsdfs) {

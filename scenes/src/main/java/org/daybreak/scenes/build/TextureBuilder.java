@@ -25,7 +25,7 @@ final class TextureBuilder {
     private static final Texture PLACEHOLDER = ConstantTexture.grey(0.5);
 
     private final BuildContext context;
-    private final Map<ObjectDescription, Texture> built = new IdentityHashMap<>();
+    private final IdentityHashMap<ObjectDescription, Texture> built = new IdentityHashMap<>();
     private final Map<String, TextureImage> images = new HashMap<>();
 
     TextureBuilder(BuildContext context) {

@@ -10,8 +10,13 @@ import java.nio.charset.StandardCharsets;
  * from one to the other.
  */
 final class ByteSource implements Closeable {
-    private static final int CAPACITY = 1 << 18;
+    private static final int CAPACITY = 1 << 16;
     private static final int LONGEST_TOKEN = 1 << 12;
+
+    /** The bits of a double that a float has no room for, and their value half-way between two floats. */
+    private static final long FLOAT_TAIL = (1L << 29) - 1;
+
+    private static final long FLOAT_MIDDLE = 1L << 28;
 
     /** Powers of ten that are exact in double precision. */
     private static final double[] POWERS = powers();
@@ -21,8 +26,9 @@ final class ByteSource implements Closeable {
     private int position;
     private int limit;
     private int line = 1;
-    private final byte[] token = new byte[LONGEST_TOKEN];
-    private int tokenLength;
+    private int tokenStart;
+    private int tokenEnd;
+    private boolean ended;
 
     ByteSource(InputStream stream) {
         this.stream = stream;
@@ -69,18 +75,20 @@ final class ByteSource implements Closeable {
     /** Skips blanks but not line ends, other than those that a backslash joins. Returns the byte that follows. */
     int skipBlanks() throws IOException {
         while (true) {
-            int b = peek();
-            if (b == ' ' || b == '\t' || b == '\r') {
+            while (position < limit && isBlank(buffer[position])) {
                 position++;
-            } else if (b == '\\' && joinsLines()) {
-                next();
-                while (next() != '\n') {
-                    continue;
-                }
-            } else {
+            }
+            int b = peek();
+            if (b == '\\' && joinsLines()) {
+                skipLine();
+            } else if (b == -1 || !isBlank(b)) {
                 return b;
             }
         }
+    }
+
+    private static boolean isBlank(int b) {
+        return b == ' ' || b == '\t' || b == '\r';
     }
 
     private boolean joinsLines() throws IOException {
@@ -105,20 +113,22 @@ final class ByteSource implements Closeable {
         }
     }
 
-    /** Reads up to the next blank, line end or given byte. The token may be empty. */
+    /** Finds the token up to the next blank, line end or given byte, in the buffer. It may be empty. */
     private void readToken(int stop) throws IOException {
-        tokenLength = 0;
-        while (true) {
-            int b = peek();
-            if (b <= ' ' || b == stop) {
-                return;
-            }
-            if (tokenLength == LONGEST_TOKEN) {
-                throw new MeshFormatException(line, "a word is longer than " + LONGEST_TOKEN + " characters");
-            }
-            token[tokenLength++] = (byte) b;
-            position++;
+        if (limit - position < LONGEST_TOKEN) {
+            fill(LONGEST_TOKEN);
         }
+        int end = position;
+        int farthest = Math.min(limit, position + LONGEST_TOKEN);
+        while (end < farthest && (buffer[end] > ' ' || buffer[end] < 0) && buffer[end] != stop) {
+            end++;
+        }
+        if (end - position == LONGEST_TOKEN) {
+            throw new MeshFormatException(line, "a word is longer than " + (LONGEST_TOKEN - 1) + " characters");
+        }
+        tokenStart = position;
+        tokenEnd = end;
+        position = end;
     }
 
     /** Reads a word. Empty at the end of the line or file. */
@@ -128,21 +138,25 @@ final class ByteSource implements Closeable {
     }
 
     private String tokenText() {
-        return new String(token, 0, tokenLength, StandardCharsets.ISO_8859_1);
+        return new String(buffer, tokenStart, tokenEnd - tokenStart, StandardCharsets.ISO_8859_1);
     }
 
     /**
-     * Reads a finite number.
+     * Reads a number that is finite in single precision.
      *
      * @param what what the number is, for messages
+     * @param index number of the element it belongs to, for messages; none if negative
      */
-    double number(String what) throws IOException {
+    float single(String what, long index) throws IOException {
         readToken(-1);
-        double value = parse();
-        if (Double.isNaN(value)) {
+        float value = parseSingle();
+        if (Float.isNaN(value)) {
+            String name = index < 0 ? what : what + index;
             throw new MeshFormatException(
                     line,
-                    tokenLength == 0 ? what + " is missing" : what + " '" + tokenText() + "' is not a finite number");
+                    tokenStart == tokenEnd
+                            ? name + " is missing"
+                            : name + " '" + tokenText() + "' is not a finite number in single precision");
         }
         return value;
     }
@@ -154,74 +168,81 @@ final class ByteSource implements Closeable {
      */
     long wholeNumber(String what, int stop) throws IOException {
         readToken(stop);
-        int i = 0;
+        int i = tokenStart;
         boolean negative = false;
-        if (i < tokenLength && (token[i] == '-' || token[i] == '+')) {
-            negative = token[i++] == '-';
+        if (i < tokenEnd && (buffer[i] == '-' || buffer[i] == '+')) {
+            negative = buffer[i++] == '-';
         }
         long value = 0;
         int first = i;
-        while (i < tokenLength && token[i] >= '0' && token[i] <= '9' && i - first < 18) {
-            value = 10 * value + token[i++] - '0';
+        while (i < tokenEnd && buffer[i] >= '0' && buffer[i] <= '9' && i - first < 18) {
+            value = 10 * value + buffer[i++] - '0';
         }
-        if (i == first || i < tokenLength) {
+        if (i == first || i < tokenEnd) {
             throw new MeshFormatException(
                     line,
-                    tokenLength == 0 ? what + " is missing" : what + " '" + tokenText() + "' is not a whole number");
+                    tokenStart == tokenEnd
+                            ? what + " is missing"
+                            : what + " '" + tokenText() + "' is not a whole number");
         }
         return negative ? -value : value;
     }
 
-    /** The number in the token, NaN if it is none or not finite. Exact products and quotients first, the JDK's parser otherwise. */
-    private double parse() {
-        int i = 0;
+    /**
+     * The number in the token, correctly rounded; NaN if it is none or not finite. Up to 18 digits times a power of ten give
+     * a double that is off by less than 2 units in its last place. Unless that lies near the middle between two floats, the
+     * float nearest to it is the right one.
+     */
+    private float parseSingle() {
+        int i = tokenStart;
         boolean negative = false;
-        if (i < tokenLength && (token[i] == '-' || token[i] == '+')) {
-            negative = token[i++] == '-';
+        if (i < tokenEnd && (buffer[i] == '-' || buffer[i] == '+')) {
+            negative = buffer[i++] == '-';
         }
         long mantissa = 0;
         int digits = 0;
-        int exponent = 0;
+        int power = 0;
+        boolean any = false;
         boolean point = false;
-        for (; i < tokenLength; i++) {
-            int c = token[i];
+        for (; i < tokenEnd; i++) {
+            int c = buffer[i];
             if (c >= '0' && c <= '9') {
                 if (digits == 18) {
                     return parseSlowly();
                 }
+                any = true;
                 mantissa = 10 * mantissa + c - '0';
-                digits++;
-                if (point) {
-                    exponent--;
-                }
+                digits += mantissa == 0 ? 0 : 1;
+                power -= point ? 1 : 0;
             } else if (c == '.' && !point) {
                 point = true;
             } else {
                 break;
             }
         }
-        if (digits == 0) {
-            return Double.NaN;
-        }
-        if (i < tokenLength || mantissa >= 1L << 53 || exponent < -22) {
+        if (!any || i < tokenEnd || power < -22) {
             return parseSlowly();
         }
-        double value = mantissa / POWERS[-exponent];
-        return negative ? -value : value;
+        double value = mantissa / POWERS[-power];
+        long tail = Double.doubleToRawLongBits(value) & FLOAT_TAIL;
+        if (Math.abs(tail - FLOAT_MIDDLE) <= 4 || (value < Float.MIN_NORMAL && value > 0) || value > Float.MAX_VALUE) {
+            return parseSlowly();
+        }
+        return (float) (negative ? -value : value);
     }
 
-    private double parseSlowly() {
-        for (int i = 0; i < tokenLength; i++) {
-            int c = token[i];
-            if (!(c >= '0' && c <= '9' || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E')) {
-                return Double.NaN;
+    private float parseSlowly() {
+        for (int i = tokenStart; i < tokenEnd; i++) {
+            int c = buffer[i];
+            if (!((c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E')) {
+                return Float.NaN;
             }
         }
         try {
-            double value = Double.parseDouble(tokenText());
-            return Double.isInfinite(value) ? Double.NaN : value;
+            float value = Float.parseFloat(tokenText());
+            return Float.isInfinite(value) ? Float.NaN : value;
         } catch (NumberFormatException e) {
-            return Double.NaN;
+            return Float.NaN;
         }
     }
 
@@ -236,7 +257,7 @@ final class ByteSource implements Closeable {
         require(2);
         int a = buffer[position++] & 0xff;
         int b = buffer[position++] & 0xff;
-        return bigEndian ? a << 8 | b : b << 8 | a;
+        return bigEndian ? (a << 8) | b : (b << 8) | a;
     }
 
     /** The next four bytes of binary data. */
@@ -244,7 +265,7 @@ final class ByteSource implements Closeable {
         require(4);
         int p = position;
         position = p + 4;
-        int little = buffer[p] & 0xff
+        int little = (buffer[p] & 0xff)
                 | (buffer[p + 1] & 0xff) << 8
                 | (buffer[p + 2] & 0xff) << 16
                 | (buffer[p + 3] & 0xff) << 24;
@@ -255,7 +276,7 @@ final class ByteSource implements Closeable {
     long int64(boolean bigEndian) throws IOException {
         long a = int32(bigEndian) & 0xffffffffL;
         long b = int32(bigEndian) & 0xffffffffL;
-        return bigEndian ? a << 32 | b : b << 32 | a;
+        return bigEndian ? (a << 32) | b : (b << 32) | a;
     }
 
     /** Skips bytes of binary data. */
@@ -277,12 +298,16 @@ final class ByteSource implements Closeable {
 
     /** Tries to have some bytes in the buffer. */
     private boolean fill(int bytes) throws IOException {
+        if (ended) {
+            return limit - position >= bytes;
+        }
         System.arraycopy(buffer, position, buffer, 0, limit - position);
         limit -= position;
         position = 0;
         while (limit < bytes) {
             int n = stream.read(buffer, limit, CAPACITY - limit);
             if (n < 0) {
+                ended = true;
                 return false;
             }
             limit += n;

@@ -125,11 +125,7 @@ public final class ObjReader {
 
     private float coordinate(String what) throws IOException {
         source.skipBlanks();
-        float value = (float) source.number(what);
-        if (Float.isInfinite(value)) {
-            throw new MeshFormatException(source.line(), what + " is too large for single precision");
-        }
-        return value;
+        return source.single(what, -1);
     }
 
     private void readFace() throws IOException {
@@ -194,7 +190,7 @@ public final class ObjReader {
             if (vertices.get(i) == position && vertices.get(i + 1) == texCoord && vertices.get(i + 2) == normal) {
                 return table[slot];
             }
-            slot = slot + 1 & mask;
+            slot = (slot + 1) & mask;
         }
         int vertex = vertices.size() / 3;
         table[slot] = vertex;
@@ -214,7 +210,7 @@ public final class ObjReader {
             int i = 3 * vertex;
             int slot = hash(vertices.get(i), vertices.get(i + 1), vertices.get(i + 2)) & mask;
             while (larger[slot] >= 0) {
-                slot = slot + 1 & mask;
+                slot = (slot + 1) & mask;
             }
             larger[slot] = vertex;
         }
@@ -223,8 +219,8 @@ public final class ObjReader {
 
     private static int hash(int a, int b, int c) {
         int h = (a * 0x9e3779b1 + b) * 0x85ebca6b + c;
-        h = (h ^ h >>> 15) * 0xc2b2ae35;
-        return h ^ h >>> 16;
+        h = (h ^ (h >>> 15)) * 0xc2b2ae35;
+        return h ^ (h >>> 16);
     }
 
     private static int[] filled(int size) {

@@ -8,23 +8,23 @@ import org.daybreak.core.render.NearestName;
 
 /** Header of a PLY file. */
 final class PlyHeader {
-    private static final Map<String, Type> TYPES = Map.ofEntries(
-            Map.entry("char", Type.INT8),
-            Map.entry("int8", Type.INT8),
-            Map.entry("uchar", Type.UINT8),
-            Map.entry("uint8", Type.UINT8),
-            Map.entry("short", Type.INT16),
-            Map.entry("int16", Type.INT16),
-            Map.entry("ushort", Type.UINT16),
-            Map.entry("uint16", Type.UINT16),
-            Map.entry("int", Type.INT32),
-            Map.entry("int32", Type.INT32),
-            Map.entry("uint", Type.UINT32),
-            Map.entry("uint32", Type.UINT32),
-            Map.entry("float", Type.FLOAT32),
-            Map.entry("float32", Type.FLOAT32),
-            Map.entry("double", Type.FLOAT64),
-            Map.entry("float64", Type.FLOAT64));
+    private static final Map<String, PlyType> TYPES = Map.ofEntries(
+            Map.entry("char", PlyType.INT8),
+            Map.entry("int8", PlyType.INT8),
+            Map.entry("uchar", PlyType.UINT8),
+            Map.entry("uint8", PlyType.UINT8),
+            Map.entry("short", PlyType.INT16),
+            Map.entry("int16", PlyType.INT16),
+            Map.entry("ushort", PlyType.UINT16),
+            Map.entry("uint16", PlyType.UINT16),
+            Map.entry("int", PlyType.INT32),
+            Map.entry("int32", PlyType.INT32),
+            Map.entry("uint", PlyType.UINT32),
+            Map.entry("uint32", PlyType.UINT32),
+            Map.entry("float", PlyType.FLOAT32),
+            Map.entry("float32", PlyType.FLOAT32),
+            Map.entry("double", PlyType.FLOAT64),
+            Map.entry("float64", PlyType.FLOAT64));
     private static final List<String> STATEMENTS =
             List.of("format", "comment", "obj_info", "element", "property", "end_header");
 
@@ -38,34 +38,12 @@ final class PlyHeader {
         BIG_ENDIAN
     }
 
-    /** Type of a number. */
-    enum Type {
-        INT8(1),
-        UINT8(1),
-        INT16(2),
-        UINT16(2),
-        INT32(4),
-        UINT32(4),
-        FLOAT32(4),
-        FLOAT64(8);
-
-        final int bytes;
-
-        Type(int bytes) {
-            this.bytes = bytes;
-        }
-
-        boolean isInteger() {
-            return this != FLOAT32 && this != FLOAT64;
-        }
-    }
-
     /**
      * A property of an element.
      *
      * @param countType type of the length of a list; the property's own type if it is no list
      */
-    record Property(String name, boolean isList, Type countType, Type type) {}
+    record Property(String name, boolean isList, PlyType countType, PlyType type) {}
 
     /** A kind of element, with the line it is declared on. */
     record Element(String name, long count, List<Property> properties, int line) {
@@ -168,23 +146,23 @@ final class PlyHeader {
         source.skipBlanks();
         String first = source.word();
         if (!first.equals("list")) {
-            Type type = type(first, source.line());
+            PlyType type = type(first, source.line());
             source.skipBlanks();
             return new Property(source.word(), false, type, type);
         }
         source.skipBlanks();
-        Type countType = type(source.word(), source.line());
+        PlyType countType = type(source.word(), source.line());
         if (!countType.isInteger()) {
             throw new MeshFormatException(source.line(), "the length of a list must be of an integer type");
         }
         source.skipBlanks();
-        Type type = type(source.word(), source.line());
+        PlyType type = type(source.word(), source.line());
         source.skipBlanks();
         return new Property(source.word(), true, countType, type);
     }
 
-    private static Type type(String name, int line) throws MeshFormatException {
-        Type type = TYPES.get(name);
+    private static PlyType type(String name, int line) throws MeshFormatException {
+        PlyType type = TYPES.get(name);
         if (type == null) {
             throw new MeshFormatException(line, "unknown type '" + name + "'" + NearestName.hint(name, TYPES.keySet()));
         }

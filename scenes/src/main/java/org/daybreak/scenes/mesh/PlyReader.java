@@ -8,7 +8,6 @@ import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.scenes.mesh.PlyHeader.Element;
 import org.daybreak.scenes.mesh.PlyHeader.Encoding;
 import org.daybreak.scenes.mesh.PlyHeader.Property;
-import org.daybreak.scenes.mesh.PlyHeader.Type;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,6 +28,8 @@ public final class PlyReader {
             List.of("v", "t", "texture_v", "texture_t"));
 
     private static final List<String> NAMES = List.of("x", "y", "z", "nx", "ny", "nz", "u", "v");
+    private static final List<String> LABELS =
+            NAMES.stream().map(name -> name + " of vertex ").toList();
 
     private final ByteSource source;
     private final long fileSize;
@@ -162,17 +163,15 @@ public final class PlyReader {
         return -1;
     }
 
-    private float real(Type type, int target, int vertex) throws IOException {
-        float value;
+    private float real(PlyType type, int target, int vertex) throws IOException {
         if (ascii) {
             source.skipSpace();
-            value = (float) source.number(NAMES.get(target) + " of vertex " + vertex);
-        } else {
-            value = (float) binary(type);
+            return source.single(LABELS.get(target), vertex);
         }
+        float value =
+                (float) (type == PlyType.FLOAT32 || type == PlyType.FLOAT64 ? binaryReal(type) : binaryWhole(type));
         if (!Float.isFinite(value)) {
-            throw new MeshFormatException(
-                    ascii ? source.line() : 0, NAMES.get(target) + " of vertex " + vertex + " is not a finite number");
+            throw new MeshFormatException(0, LABELS.get(target) + vertex + " is not a finite number");
         }
         return value;
     }
@@ -226,7 +225,7 @@ public final class PlyReader {
         long index = whole(list.type(), "a vertex index");
         float[] p = positions;
         // Faces may come before the vertices; then the check follows at the end.
-        if (index < 0 || index > Integer.MAX_VALUE || p != null && index >= p.length / 3) {
+        if (index < 0 || index > Integer.MAX_VALUE || (p != null && index >= p.length / 3)) {
             throw new MeshFormatException(
                     ascii ? source.line() : 0,
                     "face " + face + " refers to vertex " + index
@@ -275,15 +274,21 @@ public final class PlyReader {
         }
     }
 
-    private long whole(Type type, String what) throws IOException {
+    private long whole(PlyType type, String what) throws IOException {
         if (!ascii) {
-            return (long) binary(type);
+            return binaryWhole(type);
         }
         source.skipSpace();
         return source.wholeNumber(what, -1);
     }
 
-    private double binary(Type type) throws IOException {
+    private double binaryReal(PlyType type) throws IOException {
+        return type == PlyType.FLOAT32
+                ? Float.intBitsToFloat(source.int32(bigEndian))
+                : Double.longBitsToDouble(source.int64(bigEndian));
+    }
+
+    private long binaryWhole(PlyType type) throws IOException {
         return switch (type) {
             case INT8 -> (byte) source.uint8();
             case UINT8 -> source.uint8();
@@ -291,8 +296,7 @@ public final class PlyReader {
             case UINT16 -> source.uint16(bigEndian);
             case INT32 -> source.int32(bigEndian);
             case UINT32 -> source.int32(bigEndian) & 0xffffffffL;
-            case FLOAT32 -> Float.intBitsToFloat(source.int32(bigEndian));
-            case FLOAT64 -> Double.longBitsToDouble(source.int64(bigEndian));
+            case FLOAT32, FLOAT64 -> throw new IllegalArgumentException(type + " is no integer type");
         };
     }
 }

@@ -10,6 +10,7 @@ import java.util.TreeSet;
 import org.daybreak.core.render.NearestName;
 import org.daybreak.scenes.description.ProblemList;
 import org.daybreak.scenes.description.SourceLocation;
+import org.jspecify.annotations.Nullable;
 
 /** Names that stand for texts in attributes: {@code $name}. What the caller defines goes before {@code <default>}. */
 final class Definitions {
@@ -42,13 +43,19 @@ final class Definitions {
         return defaults;
     }
 
-    /** Replaces all {@code $name}; the longest defined name goes. A backslash before the dollar keeps it. */
+    /**
+     * Replaces all {@code $name}; the longest defined name goes. A backslash before the dollar keeps it.
+     *
+     * @return the text, or null after an error, which is reported
+     */
+    @Nullable
     String substitute(String text, SourceLocation location, ProblemList problems) {
         int dollar = text.indexOf('$');
         if (dollar < 0) {
             return text;
         }
         StringBuilder result = new StringBuilder();
+        boolean valid = true;
         int from = 0;
         while (dollar >= 0) {
             if (dollar > from && text.charAt(dollar - 1) == '\\') {
@@ -61,6 +68,7 @@ final class Definitions {
                 if (name.isEmpty()) {
                     problems.error(
                             location, "'$" + word + "' is not defined" + NearestName.hint(word, values.keySet()));
+                    valid = false;
                     from = dollar + 1 + word.length();
                 } else {
                     unused.remove(name);
@@ -72,11 +80,12 @@ final class Definitions {
                 problems.error(
                         location,
                         "with its definitions put in, an attribute is longer than " + LONGEST_VALUE + " characters");
-                return "";
+                return null;
             }
             dollar = text.indexOf('$', from);
         }
-        return result.append(text, from, text.length()).toString();
+        result.append(text, from, text.length());
+        return valid ? result.toString() : null;
     }
 
     private static String word(String text, int from) {

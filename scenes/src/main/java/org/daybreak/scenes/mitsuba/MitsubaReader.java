@@ -5,10 +5,12 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.daybreak.core.render.NearestName;
 import org.daybreak.scenes.description.ObjectDescription;
 import org.daybreak.scenes.description.ObjectKind;
@@ -26,6 +28,9 @@ import org.jspecify.annotations.Nullable;
 public final class MitsubaReader {
     /** Greatest number of files that include each other. */
     static final int INCLUDE_DEPTH = 16;
+
+    private static final Map<String, ObjectKind> KINDS =
+            Arrays.stream(ObjectKind.values()).collect(Collectors.toUnmodifiableMap(ObjectKind::element, kind -> kind));
 
     private final ProblemList problems;
     private final Definitions definitions;
@@ -91,7 +96,7 @@ public final class MitsubaReader {
         }
         open.add(real);
         try {
-            return new XmlFileParser(this, file, text).parse(main);
+            return XmlFileParser.parse(this, file, text, main);
         } finally {
             open.remove(open.size() - 1);
         }
@@ -172,11 +177,6 @@ public final class MitsubaReader {
 
     /** The kind of object that an element stands for, or null. */
     static @Nullable ObjectKind kind(String element) {
-        for (ObjectKind kind : ObjectKind.values()) {
-            if (kind.element().equals(element)) {
-                return kind;
-            }
-        }
-        return null;
+        return KINDS.get(element);
     }
 }

@@ -24,7 +24,7 @@ final class Numbers {
         String t = text.strip();
         for (int i = 0; i < t.length(); i++) {
             char c = t.charAt(i);
-            if (!(c >= '0' && c <= '9' || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E')) {
+            if (!((c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E')) {
                 throw notANumber(text);
             }
         }
@@ -70,7 +70,7 @@ final class Numbers {
         if (t.isEmpty()) {
             return new double[0];
         }
-        String[] words = SEPARATOR.split(t);
+        String[] words = SEPARATOR.split(t, -1);
         double[] values = new double[words.length];
         for (int i = 0; i < words.length; i++) {
             values[i] = real(words[i]);
@@ -117,8 +117,8 @@ final class Numbers {
             if (t.length() == 7 && t.charAt(1) != '-' && t.charAt(1) != '+') {
                 int rgb = Integer.parseInt(t.substring(1), 16);
                 return new Value.Color(
-                        ColorSpaces.srgbByteToLinear(rgb >> 16 & 0xff),
-                        ColorSpaces.srgbByteToLinear(rgb >> 8 & 0xff),
+                        ColorSpaces.srgbByteToLinear((rgb >> 16) & 0xff),
+                        ColorSpaces.srgbByteToLinear((rgb >> 8) & 0xff),
                         ColorSpaces.srgbByteToLinear(rgb & 0xff));
             }
         } catch (NumberFormatException e) {

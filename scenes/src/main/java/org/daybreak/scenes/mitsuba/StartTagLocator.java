@@ -79,7 +79,7 @@ final class StartTagLocator {
         for (int i = position; i < target; i++) {
             char c = text.charAt(i);
             // XML counts a lone carriage return as a line end, and a pair with a line feed once.
-            if (c == '\n' || c == '\r' && !(i + 1 < text.length() && text.charAt(i + 1) == '\n')) {
+            if (c == '\n' || (c == '\r' && !(i + 1 < text.length() && text.charAt(i + 1) == '\n'))) {
                 line++;
                 lineStart = i + 1;
             }

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeSet;
 import javax.vecmath.Matrix4d;
 import javax.xml.stream.Location;
@@ -26,7 +27,7 @@ import org.jspecify.annotations.Nullable;
 /** Parses one XML file. */
 final class XmlFileParser {
     private static final int ELEMENT_DEPTH = 64;
-    private static final TreeSet<String> ELEMENTS = elements();
+    private static final Set<String> ELEMENTS = elements();
 
     private final MitsubaReader reader;
     private final ProblemList problems;
@@ -36,25 +37,28 @@ final class XmlFileParser {
     private final XMLStreamReader xml;
     private int depth;
 
-    XmlFileParser(MitsubaReader reader, Path file, String text) {
+    /** Whether the last tag had an attribute that could not be substituted, which has been reported. */
+    private boolean tainted;
+
+    private XmlFileParser(MitsubaReader reader, Path file, String text) throws XMLStreamException {
         this.reader = reader;
         this.problems = reader.problems();
         this.file = file;
         this.text = text;
         this.locator = new StartTagLocator(text);
+        this.xml = open(text);
+    }
+
+    private static XMLStreamReader open(String text) throws XMLStreamException {
         XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
         factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
         factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
         factory.setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false);
-        try {
-            // A byte order mark has gone with the decoding, and the declared encoding no longer matters.
-            this.xml = factory.createXMLStreamReader(new StringReader(text));
-        } catch (XMLStreamException e) {
-            throw new IllegalStateException("the XML parser cannot be created", e);
-        }
+        // A byte order mark has gone with the decoding, and the declared encoding no longer matters.
+        return factory.createXMLStreamReader(new StringReader(text));
     }
 
-    private static TreeSet<String> elements() {
+    private static Set<String> elements() {
         TreeSet<String> names = new TreeSet<>(List.of(
                 "boolean",
                 "integer",
@@ -79,27 +83,35 @@ final class XmlFileParser {
         return names;
     }
 
-    /** Parses the file: its root as a single nested object, or an included scene's content. */
-    List<PropertyDescription> parse(boolean main) {
+    /**
+     * Parses a file: its root as a single nested object, or an included scene's content.
+     *
+     * @param main true for the scene's main file, whose root must be a scene
+     */
+    static List<PropertyDescription> parse(MitsubaReader reader, Path file, String text, boolean main) {
         try {
-            List<PropertyDescription> result = parseRoot(main);
-            while (xml.hasNext()) {
-                checkEvent(xml.next());
-            }
-            return result;
+            return new XmlFileParser(reader, file, text).parse(main);
         } catch (XMLStreamException e) {
             reader.setBroken();
             Location at = e.getLocation();
             SourceLocation location = at == null
                     ? SourceLocation.of(file)
                     : new SourceLocation(file, at.getLineNumber(), at.getColumnNumber());
-            problems.error(location, "the XML is not well-formed: " + reason(e));
+            reader.problems().error(location, "the XML is not well-formed: " + reason(e));
             return List.of();
         } catch (StopException e) {
             reader.setBroken();
-            problems.error(e.location, String.valueOf(e.getMessage()));
+            reader.problems().error(e.location, String.valueOf(e.getMessage()));
             return List.of();
         }
+    }
+
+    private List<PropertyDescription> parse(boolean main) throws XMLStreamException {
+        List<PropertyDescription> result = parseRoot(main);
+        while (xml.hasNext()) {
+            checkEvent(xml.next());
+        }
+        return result;
     }
 
     /** The file cannot be parsed further. */
@@ -123,13 +135,14 @@ final class XmlFileParser {
     }
 
     private List<PropertyDescription> parseRoot(boolean main) throws XMLStreamException {
-        while (checkEvent(xml.next()) != XMLStreamConstants.START_ELEMENT) {
-            continue;
+        int event = xml.getEventType();
+        while (event != XMLStreamConstants.START_ELEMENT) {
+            event = checkEvent(xml.next());
         }
         SourceLocation location = enter();
         String element = xml.getLocalName();
         ObjectKind kind = MitsubaReader.kind(element);
-        if (kind == null || main && kind != ObjectKind.SCENE) {
+        if (kind == null || (main && kind != ObjectKind.SCENE)) {
             throw new StopException(location, "the root of a scene file must be <scene> but is <" + element + ">");
         }
         Map<String, String> attributes = attributes(location);
@@ -203,9 +216,11 @@ final class XmlFileParser {
 
     private Map<String, String> attributes(SourceLocation location) {
         Map<String, String> attributes = new LinkedHashMap<>();
+        tainted = false;
         for (int i = 0; i < xml.getAttributeCount(); i++) {
             String value = reader.definitions().substitute(xml.getAttributeValue(i), location, problems);
-            attributes.put(xml.getAttributeLocalName(i), value);
+            tainted |= value == null;
+            attributes.put(xml.getAttributeLocalName(i), value == null ? "" : value);
         }
         return attributes;
     }
@@ -217,10 +232,10 @@ final class XmlFileParser {
             SourceLocation location,
             List<String> required,
             List<String> optional) {
-        TreeSet<String> known = new TreeSet<>(required);
-        known.addAll(optional);
         for (String name : attributes.keySet()) {
-            if (!known.contains(name)) {
+            if (!required.contains(name) && !optional.contains(name)) {
+                Set<String> known = new TreeSet<>(required);
+                known.addAll(optional);
                 problems.unknownName(location, "<" + element + "> has no attribute '" + name + "'", name, known);
             }
         }
@@ -238,6 +253,10 @@ final class XmlFileParser {
     private @Nullable ObjectDescription readObject(
             ObjectKind kind, Map<String, String> attributes, SourceLocation location) throws XMLStreamException {
         boolean scene = kind == ObjectKind.SCENE;
+        if (tainted) {
+            // Neither type nor name of the object can be relied on.
+            reader.setBroken();
+        }
         check(kind.element(), attributes, location, scene ? List.of() : List.of("type"), List.of("type", "id", "name"));
         List<PropertyDescription> properties = new ArrayList<>();
         while (true) {
@@ -290,6 +309,17 @@ final class XmlFileParser {
             SourceLocation location,
             List<PropertyDescription> properties)
             throws XMLStreamException {
+        if (tainted) {
+            boolean value =
+                    !List.of("ref", "include", "default", "alias", "path").contains(element);
+            if (value && !attributes.getOrDefault("name", "").isEmpty()) {
+                addInvalid(properties, attributes, location);
+            } else {
+                reader.setBroken();
+            }
+            skip(false);
+            return;
+        }
         switch (element) {
             case "boolean", "integer", "float", "string", "rgb", "srgb", "spectrum" -> {
                 if (check(element, attributes, location, List.of("name", "value"), List.of())) {
@@ -471,7 +501,9 @@ final class XmlFileParser {
             if (event == XMLStreamConstants.START_ELEMENT) {
                 SourceLocation partLocation = enter();
                 try {
-                    product.mul(readPart(partLocation), new Matrix4d(product));
+                    Matrix4d part = readPart(partLocation);
+                    valid &= !tainted;
+                    product.mul(part, new Matrix4d(product));
                 } catch (FormatException e) {
                     problems.error(partLocation, String.valueOf(e.getMessage()));
                     valid = false;
@@ -490,6 +522,9 @@ final class XmlFileParser {
     private Matrix4d readPart(SourceLocation location) throws FormatException {
         String element = xml.getLocalName();
         Map<String, String> a = attributes(location);
+        if (tainted) {
+            return Transforms.identity();
+        }
         List<String> coordinates = List.of("value", "x", "y", "z");
         switch (element) {
             case "translate" -> {

@@ -1,0 +1,65 @@
+package org.daybreak.accel.vector;
+
+import org.daybreak.core.testing.IntersectorChecks;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class Vector512IntersectorTest {
+    private final Vector512Provider provider = new Vector512Provider();
+    private final IntersectorChecks checks = new IntersectorChecks(provider);
+
+    @BeforeEach
+    void runsHere() {
+        String reason = provider.unavailability().orElse("");
+        Assumptions.assumeTrue(reason.isEmpty(), reason);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 1e-18, 1e-4, 1e4, 1e12})
+    void trianglesAgreeWithBruteForce(double scale) {
+        checks.trianglesAgreeWithBruteForce(scale);
+    }
+
+    @Test
+    void mixedPrimitivesAgreeWithBruteForce() {
+        checks.mixedPrimitivesAgreeWithBruteForce();
+    }
+
+    @Test
+    void axisParallelRaysHitEdgesAndVertices() {
+        checks.axisParallelRaysHitEdgesAndVertices();
+    }
+
+    @Test
+    void closedMeshesAreWatertight() {
+        checks.closedMeshesAreWatertight(10_000);
+    }
+
+    @Test
+    void pathsNeitherLeakNorHitThemselves() {
+        checks.pathsNeitherLeakNorHitThemselves(30_000);
+    }
+
+    @Test
+    void nothingIsHitWhereNothingIs() {
+        checks.nothingIsHitWhereNothingIs();
+    }
+
+    @Test
+    void coincidentTriangles() {
+        checks.coincidentTriangles();
+    }
+
+    @Test
+    void answersDoNotDependOnThreads() {
+        checks.answersDoNotDependOnThreads();
+    }
+
+    @Test
+    void queriesAllocateNothing() {
+        checks.queriesAllocateNothing();
+    }
+}

@@ -1,0 +1,81 @@
+package org.daybreak.cli;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.daybreak.core.scene.Scene;
+import org.daybreak.core.scene.SceneCompiler;
+import org.daybreak.scenes.SceneFile;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code daybreak info}: what is in a scene or an image. */
+@Command(
+        name = "info",
+        description = "Describes a scene (xml) or an image (exr, pfm).",
+        footer = {
+            "",
+            "Examples:",
+            "  daybreak info scene.xml      shapes, triangles, lights, camera, size of the index",
+            "  daybreak info picture.exr    size, channels, attributes, smallest and largest values"
+        })
+final class InfoCommand implements Callable<Integer> {
+    private final Session session;
+
+    @Parameters(paramLabel = "FILE", description = "Scene or image.")
+    private Path file = Path.of("");
+
+    @Option(names = "-D", paramLabel = "NAME=VALUE", description = "Value for $NAME in the scene; may be repeated.")
+    private Map<String, String> defines = new LinkedHashMap<>();
+
+    InfoCommand(Session session) {
+        this.session = session;
+    }
+
+    @Override
+    public Integer call() {
+        if (ImageData.isImage(file)) {
+            describe(ImageData.read(file));
+        } else {
+            SceneFile scene = Scenes.load(file, defines, session);
+            Scene compiled = Scenes.compile(file, scene, SceneCompiler.Options.defaults());
+            SceneSummary.of(scene, compiled).forEach(this::line);
+        }
+        return ExitCode.OK.number();
+    }
+
+    private void describe(ImageData image) {
+        line("format", image.format());
+        line("size", image.width() + "x" + image.height());
+        image.attributes().forEach(this::line);
+        image.channels()
+                .forEach((name, samples) -> line(name, describe(image.types().get(name), samples)));
+    }
+
+    private static String describe(@org.jspecify.annotations.Nullable String type, float[] samples) {
+        double sum = 0;
+        double least = Double.POSITIVE_INFINITY;
+        double most = Double.NEGATIVE_INFINITY;
+        long finite = 0;
+        for (float value : samples) {
+            if (Float.isFinite(value)) {
+                finite++;
+                sum += value;
+                least = Math.min(least, value);
+                most = Math.max(most, value);
+            }
+        }
+        String figures = finite == 0
+                ? "no finite value"
+                : String.format(Locale.ROOT, "minimum %.6g, mean %.6g, maximum %.6g", least, sum / finite, most);
+        long others = samples.length - finite;
+        return type + ", " + figures + (others == 0 ? "" : ", " + others + " infinite or not numbers");
+    }
+
+    private void line(String name, String value) {
+        session.out().printf(Locale.ROOT, "%-16s %s%n", name, value);
+    }
+}

@@ -1,0 +1,146 @@
+package org.daybreak.cli;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import org.daybreak.core.film.FilmImage;
+import org.daybreak.core.film.FilmSettings;
+import org.daybreak.core.render.NearestName;
+import org.daybreak.exr.Box2i;
+import org.daybreak.exr.Chromaticities;
+import org.daybreak.exr.ExrAttribute;
+import org.daybreak.exr.ExrImage;
+import org.daybreak.exr.ExrWriter;
+import org.daybreak.exr.ImageFileException;
+import org.daybreak.exr.Pfm;
+import org.daybreak.exr.PfmImage;
+import org.daybreak.exr.PixelType;
+import org.daybreak.exr.PngWriter;
+
+/**
+ * An image file to be written.
+ *
+ * @param path where
+ * @param format how
+ */
+record OutputFile(Path path, Format format) {
+    /** Formats of images that are written, known by the ending of the file name. */
+    enum Format {
+        /** OpenEXR. */
+        EXR("OpenEXR: linear 32-bit floats, layers and attributes; compression ZIP"),
+        /** Portable float map. */
+        PFM("Portable float map: linear 32-bit floats, colour only"),
+        /** PNG. */
+        PNG("8-bit sRGB for display, clamped; colour only");
+
+        private final String doc;
+
+        Format(String doc) {
+            this.doc = doc;
+        }
+
+        /** The ending of file names. */
+        String ending() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+
+        /** What is written. */
+        String doc() {
+            return doc;
+        }
+    }
+
+    /** The output of a file name; {@link ExitCode#USAGE} if its ending is unknown. */
+    static OutputFile of(Path path) {
+        Path last = path.getFileName();
+        String name = last == null ? "" : last.toString();
+        String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+        List<String> known = new ArrayList<>();
+        for (Format format : Format.values()) {
+            if (format.ending().equals(ending) && name.indexOf('.') >= 0) {
+                return new OutputFile(path, format);
+            }
+            known.add(format.ending());
+        }
+        String what = name.indexOf('.') < 0 ? "has no ending" : "has the unknown ending '" + ending + "'";
+        throw new CommandException(
+                ExitCode.USAGE, "output file '" + path + "' " + what + NearestName.hint(ending, known));
+    }
+
+    /**
+     * Checks that files can be written before hours are spent on their content; {@link ExitCode#USAGE} if two are the same,
+     * {@link ExitCode#OUTPUT} if one cannot be written.
+     */
+    static void checkWritable(List<Path> files) {
+        Set<Path> seen = new HashSet<>();
+        for (Path file : files) {
+            Path place = file.toAbsolutePath().normalize();
+            if (!seen.add(place)) {
+                throw new CommandException(ExitCode.USAGE, "output file '" + file + "' is given twice");
+            }
+            String problem = problem(place);
+            if (problem != null) {
+                throw new CommandException(ExitCode.OUTPUT, file + ": cannot be written: " + problem);
+            }
+        }
+    }
+
+    private static @org.jspecify.annotations.Nullable String problem(Path place) {
+        if (Files.isDirectory(place)) {
+            return "is a directory";
+        }
+        if (Files.exists(place) && !Files.isRegularFile(place)) {
+            return "is not a regular file";
+        }
+        Path folder = place.getParent();
+        if (folder == null || !Files.isDirectory(folder)) {
+            return "there is no directory " + folder;
+        }
+        if (!Files.isWritable(folder)) {
+            return "the directory " + folder + " is not writable";
+        }
+        return null;
+    }
+
+    /**
+     * Writes an image: all of it under its name, or nothing.
+     *
+     * @param attributes texts and numbers on how the image was made; only OpenEXR keeps them
+     * @throws ImageFileException if that fails
+     */
+    void write(FilmImage image, java.util.Map<String, ExrAttribute> attributes) throws ImageFileException {
+        switch (format) {
+            case EXR -> ExrWriter.write(path, exr(image, attributes));
+            case PFM -> Pfm.write(path, new PfmImage(image.width(), image.height(), 3, interleaved(image)));
+            case PNG -> PngWriter.write(path, image.width(), image.height(), interleaved(image));
+        }
+    }
+
+    private static ExrImage exr(FilmImage image, java.util.Map<String, ExrAttribute> attributes) {
+        FilmSettings film = image.settings();
+        ExrImage.Builder builder = ExrImage.builder(image.width(), image.height())
+                .dataWindowOrigin(film.crop().x(), film.crop().y())
+                .displayWindow(Box2i.ofSize(film.width(), film.height()))
+                .attribute("chromaticities", new ExrAttribute.ChromaticitiesValue(Chromaticities.REC_709))
+                .attributes(attributes);
+        image.channels().forEach((name, samples) -> builder.channel(name, PixelType.FLOAT, samples));
+        return builder.build();
+    }
+
+    private static float[] interleaved(FilmImage image) {
+        int pixels = image.width() * image.height();
+        float[] samples = new float[3 * pixels];
+        String[] names = {"R", "G", "B"};
+        for (int c = 0; c < 3; c++) {
+            float[] channel = image.channel(names[c]);
+            for (int i = 0; i < pixels; i++) {
+                samples[3 * i + c] = channel[i];
+            }
+        }
+        return samples;
+    }
+}

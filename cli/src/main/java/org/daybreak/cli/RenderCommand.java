@@ -1,0 +1,260 @@
+package org.daybreak.cli;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import org.daybreak.core.accel.Intersectors;
+import org.daybreak.core.film.FilmLayer;
+import org.daybreak.core.film.FilmSettings;
+import org.daybreak.core.render.AntialiasingFactory;
+import org.daybreak.core.render.Parameter;
+import org.daybreak.core.render.ParameterException;
+import org.daybreak.core.render.ParameterValues;
+import org.daybreak.core.render.RenderBudget;
+import org.daybreak.core.render.RendererFactory;
+import org.daybreak.core.scene.Scene;
+import org.daybreak.core.scene.SceneCompiler;
+import org.daybreak.scenes.SceneFile;
+import org.daybreak.scenes.build.RenderSettingsRequest;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code daybreak render}: renders a scene file. */
+@Command(
+        name = "render",
+        description = "Renders a scene file.",
+        footer = {
+            "",
+            "Examples:",
+            "  daybreak render scene.xml",
+            "      renders as the scene asks; writes <name>.exr and <name>.png here",
+            "  daybreak render scene.xml -o picture.exr --spp 256 --seed 7",
+            "  daybreak render scene.xml --time 60 --size 1920x1080 -o big.png",
+            "  daybreak render scene.xml --renderer raytracer -P maxDepth=4",
+            "  daybreak render scene.xml --antialiasing grid -A gridSize=4 -D spp=16",
+            "  daybreak render scene.xml --layers albedo,normal -o layers.exr --stats s.json",
+            "",
+            "Ctrl-C writes the image so far; a second Ctrl-C ends the program at once."
+        })
+final class RenderCommand implements Callable<Integer> {
+    private static final int MOST_THREADS = 1024;
+
+    private final Session session;
+
+    @Parameters(paramLabel = "SCENE", description = "Scene file (Mitsuba 3 XML).")
+    private Path scene = Path.of("");
+
+    @Option(
+            names = {"-o", "--output"},
+            paramLabel = "FILE",
+            description = "Image to write, by its ending exr, pfm or png; may be repeated."
+                    + " Default: <name>.exr and <name>.png in the working directory.")
+    private List<Path> outputs = new ArrayList<>();
+
+    @Option(names = "--renderer", paramLabel = "ID", description = "Renderer; default: the scene's, else path.")
+    private @Nullable String renderer;
+
+    @Option(names = "-P", paramLabel = "NAME=VALUE", description = "Parameter of the renderer; may be repeated.")
+    private Map<String, String> parameters = new LinkedHashMap<>();
+
+    @Option(names = "-D", paramLabel = "NAME=VALUE", description = "Value for $NAME in the scene; may be repeated.")
+    private Map<String, String> defines = new LinkedHashMap<>();
+
+    @Option(
+            names = "--spp",
+            paramLabel = "N",
+            description = "Samples per pixel; default: the scene's, else 64; unlimited with --time alone.")
+    private @Nullable Long samplesPerPixel;
+
+    @Option(
+            names = "--time",
+            paramLabel = "SECONDS",
+            description = "Stop after this time, counted from the compiled scene on.")
+    private @Nullable Double seconds;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            description = "Seed of all random numbers; default: the scene's, else 0.")
+    private @Nullable Long seed;
+
+    @Option(
+            names = "--threads",
+            paramLabel = "N",
+            description = "Threads; default: all processors. Same image for any N.")
+    private @Nullable Integer threads;
+
+    @Option(names = "--size", paramLabel = "WxH", description = "Size of the image; keeps the field of view.")
+    private @Nullable String size;
+
+    @Option(names = "--crop", paramLabel = "X,Y,W,H", description = "Renders this part of the image only.")
+    private @Nullable String crop;
+
+    @Option(names = "--antialiasing", paramLabel = "ID", description = "Antialiasing method; default: sobol.")
+    private String antialiasing = RenderPlan.DEFAULT_ANTIALIASING;
+
+    @Option(names = "-A", paramLabel = "NAME=VALUE", description = "Parameter of the antialiasing; may be repeated.")
+    private Map<String, String> antialiasingParameters = new LinkedHashMap<>();
+
+    @Option(
+            names = "--layers",
+            paramLabel = "LAYER",
+            split = ",",
+            description = "Further images in the EXR file: albedo, normal, depth, variance.")
+    private List<String> layers = new ArrayList<>();
+
+    @Option(names = "--intersector", paramLabel = "ID", description = "Intersector; default: the fastest here.")
+    private @Nullable String intersector;
+
+    @Option(names = "--progress", paramLabel = "MODE", description = "Progress on stderr: auto, plain, json or none.")
+    private String progress = "auto";
+
+    @Option(names = "--stats", paramLabel = "FILE", description = "Writes statistics as JSON.")
+    private @Nullable Path statistics;
+
+    RenderCommand(Session session) {
+        this.session = session;
+    }
+
+    @Override
+    public Integer call() {
+        PhaseTimes times = new PhaseTimes();
+        times.begin("load");
+        List<OutputFile> files = outputFiles();
+        ProgressMode mode = ProgressMode.of(progress);
+        String wanted = intersector;
+        if (wanted == null) {
+            checkIntersectorsMeanwhile();
+        } else {
+            Services.checkIntersector(wanted);
+        }
+        // Whatever can be wrong about the command line alone is found before the scene is read.
+        AntialiasingFactory method = Services.antialiasing(antialiasing);
+        ParameterValues methodValues = ParameterValues.parse(method.parameters(), antialiasingParameters, method.id());
+        Set<FilmLayer> filmLayers = filmLayers(files);
+        int threadCount = threads();
+        RenderBudget given = budget(RenderPlan.DEFAULT_SAMPLES);
+        if (renderer != null) {
+            ParameterValues.parse(Services.renderer(renderer).parameters(), parameters, renderer);
+        }
+
+        SceneFile file = Scenes.load(scene, defines, session);
+        RenderSettingsRequest request = file.request();
+        FilmSettings film = film(file);
+        file.graph().setFilm(film);
+        RendererFactory factory = factory(request);
+        RenderPlan plan = new RenderPlan(
+                scene,
+                factory,
+                values(factory, request),
+                method.create(methodValues),
+                methodValues,
+                film,
+                filmLayers,
+                request.samplesPerPixel().isPresent()
+                        ? budget(request.samplesPerPixel().getAsInt())
+                        : given,
+                seed != null ? seed : request.seed().orElse(0),
+                threadCount,
+                files);
+        times.begin("compile");
+        Scene compiled = Scenes.compile(scene, file, new SceneCompiler.Options(threadCount, intersector));
+        RenderJob job = new RenderJob(plan, mode, statistics, session, times);
+        return job.run(compiled, file.warnings()).number();
+    }
+
+    /** The fast intersectors prove themselves while the scene is read; compiling it waits for the outcome. */
+    private static void checkIntersectorsMeanwhile() {
+        Thread thread = new Thread(Intersectors::select, "daybreak-intersector-check");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private List<OutputFile> outputFiles() {
+        List<Path> paths = outputs;
+        if (paths.isEmpty()) {
+            String name = Scenes.name(scene);
+            paths = List.of(Path.of(name + ".exr"), Path.of(name + ".png"));
+        }
+        List<OutputFile> files = new ArrayList<>();
+        for (Path path : paths) {
+            files.add(OutputFile.of(path));
+        }
+        List<Path> all = new ArrayList<>(paths);
+        if (statistics != null) {
+            all.add(statistics);
+        }
+        OutputFile.checkWritable(all);
+        return files;
+    }
+
+    private Set<FilmLayer> filmLayers(List<OutputFile> files) {
+        Set<FilmLayer> chosen = FilmOptions.layers(layers);
+        if (!chosen.isEmpty() && files.stream().noneMatch(file -> file.format() == OutputFile.Format.EXR)) {
+            throw new CommandException(ExitCode.USAGE, "--layers needs an output file with the ending exr");
+        }
+        return chosen;
+    }
+
+    private int threads() {
+        if (threads == null) {
+            return Runtime.getRuntime().availableProcessors();
+        }
+        if (threads < 1 || threads > MOST_THREADS) {
+            throw new CommandException(
+                    ExitCode.USAGE, "--threads is " + threads + " but must be from 1 to " + MOST_THREADS);
+        }
+        return threads;
+    }
+
+    private RenderBudget budget(int samplesOtherwise) {
+        if (samplesPerPixel != null && (samplesPerPixel < 1 || samplesPerPixel > Integer.MAX_VALUE)) {
+            throw new CommandException(
+                    ExitCode.USAGE, "--spp is " + samplesPerPixel + " but must be from 1 to " + Integer.MAX_VALUE);
+        }
+        if (seconds != null && !(seconds > 0)) {
+            throw new CommandException(ExitCode.USAGE, "--time is " + seconds + " but must be greater than 0 seconds");
+        }
+        if (seconds == null) {
+            return RenderBudget.samples(samplesPerPixel == null ? samplesOtherwise : samplesPerPixel);
+        }
+        return samplesPerPixel == null ? RenderBudget.seconds(seconds) : new RenderBudget(samplesPerPixel, seconds, 0);
+    }
+
+    private FilmSettings film(SceneFile file) {
+        FilmSettings own = file.graph().film();
+        if (own == null || file.graph().camera() == null) {
+            throw new CommandException(ExitCode.INPUT, scene + ": the scene has no camera (<sensor>)");
+        }
+        return FilmOptions.apply(own, size, crop);
+    }
+
+    private RendererFactory factory(RenderSettingsRequest request) {
+        return Services.renderer(
+                renderer != null ? renderer : request.rendererId().orElse(RenderPlan.DEFAULT_RENDERER));
+    }
+
+    /** Defaults, then the scene's values for parameters that this renderer has, then those of the command line. */
+    private ParameterValues values(RendererFactory factory, RenderSettingsRequest request) {
+        Map<String, String> texts = new LinkedHashMap<>();
+        for (Parameter parameter : factory.parameters()) {
+            String asked = request.parameters().get(parameter.name());
+            if (asked != null && !parameters.containsKey(parameter.name())) {
+                try {
+                    parameter.parse(asked);
+                } catch (ParameterException e) {
+                    throw new CommandException(ExitCode.INPUT, scene + ": " + e.getMessage(), e);
+                }
+                texts.put(parameter.name(), asked);
+            }
+        }
+        texts.putAll(parameters);
+        return ParameterValues.parse(factory.parameters(), texts, factory.id());
+    }
+}

@@ -1,0 +1,61 @@
+package org.daybreak.cli;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.daybreak.core.film.FilmLayer;
+import org.daybreak.core.film.FilmSettings;
+import org.daybreak.core.render.Antialiasing;
+import org.daybreak.core.render.ParameterValues;
+import org.daybreak.core.render.RenderBudget;
+import org.daybreak.core.render.RendererFactory;
+
+/**
+ * All that was decided about a render by the command line, the scene file and the defaults, in this order. Everything in it
+ * is validated.
+ *
+ * @param scene the scene file
+ * @param renderer the renderer
+ * @param parameters its parameters
+ * @param antialiasing the antialiasing method
+ * @param antialiasingParameters its parameters
+ * @param film size, crop and filter
+ * @param layers auxiliary images
+ * @param budget when to stop
+ * @param seed seed of all random numbers
+ * @param threads number of threads
+ * @param outputs image files
+ */
+record RenderPlan(
+        Path scene,
+        RendererFactory renderer,
+        ParameterValues parameters,
+        Antialiasing antialiasing,
+        ParameterValues antialiasingParameters,
+        FilmSettings film,
+        Set<FilmLayer> layers,
+        RenderBudget budget,
+        long seed,
+        int threads,
+        List<OutputFile> outputs) {
+    /** Renderer where neither command line nor scene names one. */
+    static final String DEFAULT_RENDERER = "path";
+
+    /** Antialiasing method where the command line names none. */
+    static final String DEFAULT_ANTIALIASING = "sobol";
+
+    /** Samples per pixel where neither command line nor scene gives a number. */
+    static final int DEFAULT_SAMPLES = 64;
+
+    /** Copies the collections. */
+    RenderPlan {
+        layers = Set.copyOf(layers);
+        outputs = List.copyOf(outputs);
+    }
+
+    /** The renderer's parameters by name. */
+    Map<String, Object> parameterMap() {
+        return parameters.asMap();
+    }
+}

@@ -1,0 +1,186 @@
+package org.daybreak.core.light;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import javax.vecmath.Point3d;
+import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.geometry.Rectangle;
+import org.daybreak.core.geometry.Sphere;
+import org.daybreak.core.geometry.SurfaceSamplers;
+import org.daybreak.core.math.Transform;
+import org.daybreak.core.sampling.RandomStream;
+import org.daybreak.core.sampling.StreamDomain;
+import org.daybreak.core.testing.ChiSquareTest;
+import org.daybreak.core.testing.Significance;
+import org.daybreak.core.testing.ZTest;
+import org.junit.jupiter.api.Test;
+
+class LightSelectionTest {
+    /** False-alarm rate of each statistical test. */
+    private static final double SIGNIFICANCE = 1e-4;
+
+    private static List<Light> lights() {
+        List<Light> lights = new ArrayList<>();
+        List<LightCases.Case> all = LightCases.all();
+        for (int i = 0; i < all.size(); i += 3) {
+            lights.add(all.get(i).light());
+        }
+        return lights;
+    }
+
+    /** Softbox, constant sky and small bright sphere, as in the scene gold_ring. */
+    private static List<Light> goldRing() {
+        Transform softbox = Transform.ofRows(
+                2.933407, -0.2088203, -0.1639173, 1.5, 0, 1.251701, -0.6228857, 6, 0.6285873, 0.9744947, 0.7649474, -7);
+        return List.of(
+                new AreaLight(
+                        SurfaceSamplers.of(new Rectangle(), softbox, false), new TestTexture(2.2, 2.05, 1.8, false), 0),
+                new ConstantEnvironment(new Spectrum(0.07, 0.065, 0.06), 0, 0, 0, 20),
+                new AreaLight(
+                        SurfaceSamplers.of(new Sphere(new Point3d(-4.9, 4.3, 3.4), 0.13), Transform.identity(), false),
+                        new TestTexture(3050, 2560, 1860, false),
+                        1));
+    }
+
+    @Test
+    void probabilitiesSumToOneAndAreTheFrequencies() {
+        RandomStream random = new RandomStream(1, StreamDomain.SELF_CHECK, 0, 0);
+        List<Light> lights = lights();
+        LightSelection[] selections = {new ImportanceLightSelection(lights), new PowerLightSelection(lights)};
+        int points = 10;
+        for (LightSelection selection : selections) {
+            for (int k = 0; k < points; k++) {
+                double[] p = {4 * random.nextDouble() - 2, 4 * random.nextDouble() - 2, 4 * random.nextDouble() - 2};
+                double ny = k % 3 == 0 ? 0 : 1;
+                int samples = 20_000;
+                long[] counts = new long[lights.size()];
+                double[] expected = new double[lights.size()];
+                double sum = 0;
+                for (int i = 0; i < expected.length; i++) {
+                    double probability = selection.probability(i, p[0], p[1], p[2], 0, ny, 0);
+                    sum += probability;
+                    expected[i] = samples * probability;
+                }
+                assertEquals(1, sum, 1e-12);
+                for (int i = 0; i < samples; i++) {
+                    counts[selection.choose(p[0], p[1], p[2], 0, ny, 0, random.nextDouble())]++;
+                }
+                for (int i = 0; i < counts.length; i++) {
+                    assertTrue(expected[i] > 0 || counts[i] == 0);
+                }
+                ZTest.assertNotRejected(
+                        "choice",
+                        ChiSquareTest.compare("choice", counts, expected).pValue(),
+                        Significance.sidak(SIGNIFICANCE, 2 * points));
+            }
+        }
+    }
+
+    @Test
+    void emissionIsChosenByPower() {
+        List<Light> lights = lights();
+        double total = lights.stream().mapToDouble(Light::power).sum();
+        LightSelection selection = LightSelections.forLights(lights);
+        RandomStream random = new RandomStream(2, StreamDomain.SELF_CHECK, 0, 0);
+        int samples = 50_000;
+        long[] counts = new long[lights.size()];
+        double[] expected = new double[lights.size()];
+        for (int i = 0; i < expected.length; i++) {
+            assertEquals(lights.get(i).power() / total, selection.emissionProbability(i), 1e-12);
+            expected[i] = samples * selection.emissionProbability(i);
+        }
+        for (int i = 0; i < samples; i++) {
+            counts[selection.chooseForEmission(random.nextDouble())]++;
+        }
+        ZTest.assertNotRejected(
+                "emission", ChiSquareTest.compare("emission", counts, expected).pValue(), SIGNIFICANCE);
+    }
+
+    @Test
+    void everyLightThatArrivesCanBeChosen() {
+        List<Light> lights = lights();
+        LightSelection selection = LightSelections.forLights(lights);
+        RandomStream random = new RandomStream(3, StreamDomain.SELF_CHECK, 0, 0);
+        LightSample sample = new LightSample();
+        int arrived = 0;
+        for (int k = 0; k < 5000; k++) {
+            double scale = Math.pow(10, 4 * random.nextDouble() - 2);
+            double px = scale * (2 * random.nextDouble() - 1);
+            double py = scale * (2 * random.nextDouble() - 1);
+            double pz = scale * (2 * random.nextDouble() - 1);
+            double z = 2 * random.nextDouble() - 1;
+            double phi = 2 * Math.PI * random.nextDouble();
+            double nx = Math.sqrt(1 - z * z) * Math.cos(phi);
+            double ny = Math.sqrt(1 - z * z) * Math.sin(phi);
+            int i = random.nextInt(lights.size());
+            if (lights.get(i).sampleIncident(px, py, pz, random.nextDouble(), random.nextDouble(), sample)) {
+                assertTrue(selection.probability(i, px, py, pz, 0, 0, 0) > 0);
+                if (sample.wiX * nx + sample.wiY * ny + sample.wiZ * z > 0) {
+                    arrived++;
+                    assertTrue(selection.probability(i, px, py, pz, nx, ny, z) > 0);
+                }
+            }
+        }
+        assertTrue(arrived > 500, "arrived " + arrived);
+    }
+
+    /** On the floor of gold_ring the shares must be those of the true irradiances, nearly. */
+    @Test
+    void sharesAreThoseOfTheIrradiance() {
+        List<Light> lights = goldRing();
+        LightSelection selection = LightSelections.forLights(lights);
+        RandomStream random = new RandomStream(4, StreamDomain.SELF_CHECK, 0, 0);
+        LightSample sample = new LightSample();
+        for (double[] p : new double[][] {{0, 0, 0}, {3, 0, -3}, {-4, 0, 3}, {1, 0, 4}, {-3, 0, -2}}) {
+            double[] irradiance = new double[3];
+            double total = 0;
+            for (int i = 0; i < 3; i++) {
+                for (int k = 0; k < 4000; k++) {
+                    if (lights.get(i).sampleIncident(p[0], 0, p[2], random.nextDouble(), random.nextDouble(), sample)) {
+                        irradiance[i] += sample.weight.luminance() * Math.max(0, sample.wiY) / 4000;
+                    }
+                }
+                total += irradiance[i];
+            }
+            for (int i = 0; i < 3; i++) {
+                double ideal = 0.95 * irradiance[i] / total + 0.05 / 3;
+                assertEquals(1, selection.probability(i, p[0], 0, p[2], 0, 1, 0) / ideal, 0.15, "light " + i);
+            }
+        }
+    }
+
+    @Test
+    void nothingIsChosenFromNothing() {
+        LightSelection none = LightSelections.forLights(List.of());
+        assertEquals(-1, none.choose(0, 0, 0, 0, 0, 1, 0.5));
+        assertEquals(-1, none.chooseForEmission(0.5));
+        // Lights behind the horizon cannot reach the point.
+        LightSelection two = LightSelections.forLights(List.of(
+                new PointLight(0, 0, -1, new Spectrum(1, 1, 1)), new PointLight(1, 0, -1, new Spectrum(1, 1, 1))));
+        assertEquals(-1, two.choose(0, 0, 0, 0, 0, 1, 0.5));
+        assertEquals(0, two.probability(0, 0, 0, 0, 0, 0, 1));
+        assertEquals(1, two.choose(0, 0, 0, 0, 0, -1, 0.999));
+        assertEquals(1, two.probability(0, 0, 0, 0, 0, 0, -1) + two.probability(1, 0, 0, 0, 0, 0, -1), 1e-15);
+    }
+
+    @Test
+    void aSingleLightIsAlwaysChosen() {
+        LightSelection one = LightSelections.forLights(List.of(new PointLight(0, 0, -1, new Spectrum(1, 1, 1))));
+        assertEquals(0, one.choose(0, 0, 0, 0, 0, 1, 0.5));
+        assertEquals(1, one.probability(0, 0, 0, 0, 0, 0, 1));
+    }
+
+    @Test
+    void manyLightsAreChosenByPower() {
+        Light light = new PointLight(0, 0, -1, new Spectrum(1, 1, 1));
+        assertInstanceOf(
+                ImportanceLightSelection.class, LightSelections.forLights(java.util.Collections.nCopies(32, light)));
+        LightSelection many = LightSelections.forLights(java.util.Collections.nCopies(40, light));
+        assertInstanceOf(PowerLightSelection.class, many);
+        assertEquals(1.0 / 40, many.probability(17, 1, 2, 3, 0, 0, 1), 1e-12);
+    }
+}

@@ -1,0 +1,33 @@
+package org.daybreak.scenes.build;
+
+/** Kind of value a property takes. */
+public enum ValueType {
+    /** A whole number. */
+    INTEGER,
+    /** A real number. */
+    FLOAT,
+    /** True or false. */
+    BOOLEAN,
+    /** A text. */
+    STRING,
+    /** One word out of several. */
+    CHOICE,
+    /** A file name, relative to the file it stands in. */
+    FILE,
+    /** A point. */
+    POINT,
+    /** A refractive index or the name of a substance. */
+    REFRACTIVE_INDEX,
+    /** A colour, the same everywhere on the surface, not limited to 1. */
+    COLOR,
+    /** A colour or a texture with values from 0 to 1. */
+    REFLECTANCE,
+    /** Emitted radiance or intensity: a colour, the same everywhere. */
+    EMISSION,
+    /** Emitted radiance: a colour or a texture. */
+    TEXTURED_EMISSION,
+    /** An affine transform. */
+    TRANSFORM,
+    /** Nested objects of one kind. */
+    OBJECT
+}

@@ -1,0 +1,174 @@
+package org.daybreak.scenes;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.SplittableRandom;
+import org.daybreak.scenes.description.SceneException;
+import org.daybreak.scenes.mesh.MeshFormatException;
+import org.daybreak.scenes.mesh.ObjReader;
+import org.daybreak.scenes.mesh.PlyReader;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Whatever is in a file: it is read, or it is refused in the documented way. Seeds are fixed. */
+class MutationTest {
+    private static final int MUTATIONS = 1000;
+    private static final String SCENE = "<?xml version='1.0' encoding='utf-8'?>\n<scene version='3.0.0'>\n"
+            + "<default name='n' value='8'/><integrator type='path'><integer name='max_depth' value='-1'/></integrator>\n"
+            + "<sensor type='thinlens'><float name='fov' value='40'/><float name='aperture_radius' value='0.1'/>"
+            + "<transform name='to_world'><lookat origin='0,0,5' target='0,0,0' up='0,1,0'/></transform>"
+            + "<sampler type='independent'><integer name='sample_count' value='$n'/></sampler>"
+            + "<film type='hdrfilm'><integer name='width' value='$n'/><rfilter type='gaussian'/></film></sensor>\n"
+            + "<bsdf type='mask' id='m'><float name='opacity' value='0.5'/><bsdf type='roughconductor'>"
+            + "<rgb name='eta' value='1,2,3'/><float name='alpha' value='.2'/></bsdf></bsdf>\n"
+            + "<shape type='shapegroup' id='g'><shape type='sphere'><point name='center' x='1' y='2' z='3'/><ref id='m'/>"
+            + "</shape></shape><shape type='instance'><ref id='g'/><transform name='to_world'><rotate y='1' angle='30'/>"
+            + "<scale value='2'/><matrix value='1 0 0 0 1 0 0 0 1'/></transform></shape>\n"
+            + "<shape type='ply'><string name='filename' value='t.ply'/><emitter type='area'/></shape>"
+            + "<emitter type='spot'><spectrum name='intensity' value='3'/></emitter><!-- end -->\n</scene>\n";
+    private static final String OBJ = """
+            # cube corner
+            v 0 0 0
+            v 1 0 0.5
+            v 1 1e0 0
+            v -0 1 -1.25
+            vt 0 0
+            vt 1 .5
+            vn 0 0 1
+            s 1
+            usemtl a
+            f 1/1/1 2/2/1 3/1/1 4/2/1
+            f -4 -2 \\
+             -1
+            """;
+    private static final String PLY = """
+            ply
+            format ascii 1.0
+            comment c
+            element vertex 4
+            property float x
+            property float y
+            property float z
+            property uchar red
+            element face 2
+            property list uchar int vertex_indices
+            property list short float w
+            end_header
+            0 0 0 1
+            1 0 0 2
+            1 1 0 3
+            0 1 0.5 4
+            4 0 1 2 3 0
+            3 0 1 2 1 0.5
+            """;
+
+    @TempDir
+    Path folder;
+
+    private interface Reader {
+        void read(Path file) throws IOException, SceneException;
+    }
+
+    /** Reads mutations of a text; every one must be read or refused, and some must be refused. */
+    private void mutate(String name, byte[] original, long seed, Reader reader) throws IOException {
+        Path file = folder.resolve(name);
+        SplittableRandom random = new SplittableRandom(seed);
+        int refused = 0;
+        for (int i = 0; i < MUTATIONS; i++) {
+            byte[] bytes = mutated(original, random);
+            Files.write(file, bytes);
+            String message = null;
+            try {
+                reader.read(file);
+            } catch (SceneException | MeshFormatException e) {
+                message = String.valueOf(e.getMessage());
+            } catch (IOException | RuntimeException | StackOverflowError | OutOfMemoryError e) {
+                throw new AssertionError("mutation " + i + ":\n" + new String(bytes, StandardCharsets.ISO_8859_1), e);
+            }
+            if (message != null) {
+                assertFalse(message.isBlank() || message.contains("null") || message.contains("Exception"), message);
+                refused++;
+            }
+        }
+        assertTrue(refused > MUTATIONS / 4, name + ": only " + refused + " refused");
+        assertTrue(refused < MUTATIONS, name + ": none was read");
+    }
+
+    private static byte[] mutated(byte[] original, SplittableRandom random) {
+        byte[] bytes = original.clone();
+        int edits = 1 + random.nextInt(3);
+        for (int i = 0; i < edits && bytes.length > 1; i++) {
+            int at = random.nextInt(bytes.length);
+            int length = Math.min(1 + random.nextInt(20), bytes.length - at);
+            switch (random.nextInt(5)) {
+                case 0 -> bytes[at] = (byte) random.nextInt(256);
+                case 1 -> bytes[at] = (byte) "0123456789-.e<>/'\"$& \n".charAt(random.nextInt(22));
+                case 2 ->
+                    bytes = joined(Arrays.copyOf(bytes, at), Arrays.copyOfRange(bytes, at + length, bytes.length));
+                case 3 ->
+                    bytes = joined(Arrays.copyOf(bytes, at + length), Arrays.copyOfRange(bytes, at, bytes.length));
+                default -> {
+                    if (random.nextInt(10) == 0) {
+                        bytes = Arrays.copyOf(bytes, at);
+                    }
+                }
+            }
+        }
+        return bytes;
+    }
+
+    private static byte[] joined(byte[] a, byte[] b) {
+        byte[] all = Arrays.copyOf(a, a.length + b.length);
+        System.arraycopy(b, 0, all, a.length, b.length);
+        return all;
+    }
+
+    @Test
+    void scenes() throws IOException {
+        Files.writeString(folder.resolve("t.ply"), PLY);
+        mutate("scene.xml", SCENE.getBytes(StandardCharsets.UTF_8), 1, file -> new SceneReader().load(file, Map.of()));
+    }
+
+    @Test
+    void objFiles() throws IOException {
+        mutate("t.obj", OBJ.getBytes(StandardCharsets.UTF_8), 2, file -> ObjReader.read(file, true));
+    }
+
+    @Test
+    void asciiPlyFiles() throws IOException {
+        mutate("t.ply", PLY.getBytes(StandardCharsets.UTF_8), 3, file -> PlyReader.read(file, false));
+    }
+
+    @Test
+    void binaryPlyFiles() throws IOException {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        out.write(PLY.substring(0, PLY.indexOf("end_header\n") + 11)
+                .replace("ascii", "binary_big_endian")
+                .getBytes(StandardCharsets.UTF_8));
+        DataOutputStream data = new DataOutputStream(out);
+        for (int i = 0; i < 4; i++) {
+            data.writeFloat(i);
+            data.writeFloat(i * i);
+            data.writeFloat(1);
+            data.writeByte(i);
+        }
+        for (int face = 0; face < 2; face++) {
+            data.writeByte(3);
+            for (int v = 0; v < 3; v++) {
+                data.writeInt((v + face) % 4);
+            }
+            data.writeShort(1);
+            data.writeFloat(0.5f);
+        }
+        mutate("b.ply", out.toByteArray(), 4, file -> PlyReader.read(file, false));
+    }
+}
