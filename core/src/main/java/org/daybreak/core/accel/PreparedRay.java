@@ -72,13 +72,13 @@ public final class PreparedRay {
         long ay = Double.doubleToRawLongBits(ray.dy) & Long.MAX_VALUE;
         long az = Double.doubleToRawLongBits(ray.dz) & Long.MAX_VALUE;
         // Magnitudes order like their bits; differences of those do not overflow.
-        long yLarger = ax - ay >>> 63;
-        long larger = ax + (ay - ax & -yLarger);
-        long zLarger = larger - az >>> 63;
-        long largest = larger + (az - larger & -zLarger);
-        int w = (int) (yLarger + (2 - yLarger & -zLarger));
+        long yLarger = (ax - ay) >>> 63;
+        long larger = ax + ((ay - ax) & -yLarger);
+        long zLarger = (larger - az) >>> 63;
+        long largest = larger + ((az - larger) & -zLarger);
+        int w = (int) (yLarger + ((2 - yLarger) & -zLarger));
         long exponent = Math.max(1, Math.min(2045, largest >>> 52));
-        double shrink = Double.longBitsToDouble(2046 - exponent << 52);
+        double shrink = Double.longBitsToDouble((2046 - exponent) << 52);
         fromParameter = scale * Double.longBitsToDouble(exponent << 52);
         toParameter = 1 / fromParameter;
         tMax = largest == 0 || largest >= INFINITY ? -1 : (float) (ray.tMax * fromParameter);
