@@ -296,8 +296,8 @@ class DiagnosticScenesTest {
         for (int i = 0; i < seen.length; i++) {
             seen[i] = true;
             for (int corner = 0; corner < 4; corner++) {
-                double x = i % width + corner % 2;
-                double y = (double) (i / width) + corner / 2;
+                int x = i % width + corner % 2;
+                int y = i / width + corner / 2;
                 assertTrue(camera.sampleRay(x, y, 0.5, 0.5, ray));
                 double t = -ray.oy / ray.dy;
                 seen[i] &= t > 0 && Math.abs(ray.ox + t * ray.dx) < 1 && Math.abs(ray.oz + t * ray.dz) < 1;
