@@ -68,9 +68,9 @@ final class Vector256Intersector implements Intersector {
         FloatVector fx = FloatVector.broadcast(FLOATS, p.farX);
         FloatVector fy = FloatVector.broadcast(FLOATS, p.farY);
         FloatVector fz = FloatVector.broadcast(FLOATS, p.farZ);
-        int nearX = p.inverseX < 0 ? 3 * W : 0;
-        int nearY = p.inverseY < 0 ? 4 * W : W;
-        int nearZ = p.inverseZ < 0 ? 5 * W : 2 * W;
+        int nearX = (Float.floatToRawIntBits(p.inverseX) >> 31 & 3 * W);
+        int nearY = W + (Float.floatToRawIntBits(p.inverseY) >> 31 & 3 * W);
+        int nearZ = 2 * W + (Float.floatToRawIntBits(p.inverseZ) >> 31 & 3 * W);
         int farX = 3 * W - nearX;
         int farY = 5 * W - nearY;
         int farZ = 7 * W - nearZ;
@@ -185,7 +185,7 @@ final class Vector256Intersector implements Intersector {
                 IntVector t = wa.mul(aw)
                         .add(wb.mul(bw))
                         .add(wc.mul(cw))
-                        .mul(FloatVector.broadcast(FLOATS, p.sign))
+                        .mul(FloatVector.broadcast(FLOATS, p.inverseW))
                         .reinterpretAsInts();
                 IntVector signs = wa.reinterpretAsInts()
                         .or(wb.reinterpretAsInts())
@@ -249,9 +249,9 @@ final class Vector256Intersector implements Intersector {
         FloatVector fx = FloatVector.broadcast(FLOATS, p.farX);
         FloatVector fy = FloatVector.broadcast(FLOATS, p.farY);
         FloatVector fz = FloatVector.broadcast(FLOATS, p.farZ);
-        int nearX = p.inverseX < 0 ? 3 * W : 0;
-        int nearY = p.inverseY < 0 ? 4 * W : W;
-        int nearZ = p.inverseZ < 0 ? 5 * W : 2 * W;
+        int nearX = (Float.floatToRawIntBits(p.inverseX) >> 31 & 3 * W);
+        int nearY = W + (Float.floatToRawIntBits(p.inverseY) >> 31 & 3 * W);
+        int nearZ = 2 * W + (Float.floatToRawIntBits(p.inverseZ) >> 31 & 3 * W);
         int farX = 3 * W - nearX;
         int farY = 5 * W - nearY;
         int farZ = 7 * W - nearZ;
@@ -328,7 +328,7 @@ final class Vector256Intersector implements Intersector {
                 IntVector t = wa.mul(aw)
                         .add(wb.mul(bw))
                         .add(wc.mul(cw))
-                        .mul(FloatVector.broadcast(FLOATS, p.sign))
+                        .mul(FloatVector.broadcast(FLOATS, p.inverseW))
                         .reinterpretAsInts();
                 IntVector signs = wa.reinterpretAsInts()
                         .or(wb.reinterpretAsInts())

@@ -115,7 +115,7 @@ public final class IntersectionBenchmark {
         return differences;
     }
 
-    private static long query(Intersector intersector, RaySet rays) {
+    static long query(Intersector intersector, RaySet rays) {
         Ray ray = new Ray();
         long sum = 0;
         if (rays.anyHit) {

@@ -12,15 +12,15 @@ import org.jspecify.annotations.Nullable;
  * <ul>
  *   <li>its origin is rounded, which moves it by at most ε |oᵢ| along each axis, hence at most √3 ε max|oᵢ| across any
  *       plane;
- *   <li>subtracting the origin from a vertex costs ε |Vᵢ − oᵢ| and shearing costs at most 3 ε times the extent of the
- *       triangle, seen from a point in it. This is the same as moving each vertex so far; a hit is an average of the
- *       vertices with weights in [0, 1], so the tested surface is no farther than that from the true one;
- *   <li>the weights have an error of 3 ε E² / |det|, E the extent. Where that matters, the surface is seen so nearly
- *       edge-on that the plane is crossed at t = −δ / (d·n) with |d·n| ≈ |det| / E²; T is then off by less than 3 ε E³ /
- *       |det|, so that it keeps its sign if the distance δ from the plane exceeds 3 ε E.
+ *   <li>subtracting the origin from a vertex costs ε |Vᵢ − oᵢ| along each axis, and shearing 6 ε E more, E the extent of
+ *       the triangle seen from a point in it; weighing and summing the distances costs 4 ε E. A hit is an average of the
+ *       vertices with weights in [0, 1], so the tested surface is no farther than 12 ε E from the true one;
+ *   <li>the weights have an error of 3 ε E² / |det|. Where that matters, the surface is seen so nearly edge-on that the
+ *       plane is crossed at t = −δ / (d·n) with |d·n| ≈ |det| / E²; T is then off by less than 3 ε E³ / |det|, so that it
+ *       keeps its sign if the distance δ from the plane exceeds 3 ε E.
  * </ul>
  *
- * Together 2 ε max|o| + 8 ε E is enough; {@link #offset} is at least 1.5 times that. A ray from {@code p ± offset · n} that goes away
+ * Together 2 ε max|o| + 12 ε E is enough; {@link #offset} is at least 4/3 of that. A ray from {@code p ± offset · n} that goes away
  * from the surface therefore meets neither its own triangle nor a coplanar neighbour of similar size. For the same
  * reason the point is kept off the edges of its triangle by four times that distance: otherwise the moved and rounded
  * origin may lie beyond a wall that stands on the edge, and the ray would leave a closed room. (Walls that meet at less

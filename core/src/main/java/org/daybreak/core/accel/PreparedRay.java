@@ -3,9 +3,12 @@ package org.daybreak.core.accel;
 /**
  * A ray in single precision, as the traversal kernels want it. For implementations of {@link Intersector}.
  *
- * <p>Coordinates are scaled like those of the index. The direction is divided by its largest component, so that
- * distances T count along that axis: t = T · {@link #toParameter}. Neither can then overflow or vanish, whatever the
- * length of the direction and the size of the scene.
+ * <p>Coordinates are scaled like those of the index. The direction is multiplied by the power of two that brings its
+ * largest component into [1, 2), so that distances T have the magnitude of coordinates: t = T · {@link #toParameter}.
+ * Neither can then overflow or vanish, whatever the length of the direction and the size of the scene.
+ *
+ * <p>There are no branches on the direction: for rays in all directions each would be mispredicted half of the time, and
+ * the whole preparation costs no more than one node of the hierarchy.
  *
  * <p><b>Boxes.</b> The parameter at which the ray meets the plane x = b is {@code fma(b, inverseX, -originX * inverseX)}.
  * That is off by the rounding of the origin (2⁻²⁴ |originX| at most) and of the constant (2⁻²⁴ |originX · inverseX|), so
@@ -24,7 +27,9 @@ public final class PreparedRay {
     public static final int ULPS = 8;
 
     /** Least magnitude that a component of the direction is taken to have, relative to the largest. */
-    private static final double LEAST_DIRECTION = 0x1p-60;
+    private static final float LEAST_DIRECTION = 0x1p-60f;
+
+    private static final long INFINITY = 0x7ff0000000000000L;
 
     private static final float SLACK = 0x1p-21f;
 
@@ -37,7 +42,7 @@ public final class PreparedRay {
     /** Constants for near and far planes. */
     public float nearX, nearY, nearZ, farX, farY, farZ;
 
-    /** The axis of the largest component of the direction, and the two after it, as 0, 1, 2. */
+    /** The axis W of the largest component of the direction, and the two after it, as 0, 1, 2. */
     public int axisU, axisV, axisW;
 
     /** Origin along these axes. */
@@ -46,45 +51,55 @@ public final class PreparedRay {
     /** Shear that maps the direction to the axis W. */
     public float shearU, shearV;
 
-    /** Sign of the direction along the axis W. */
-    public float sign;
+    /** Reciprocal of the scaled direction along the axis W. */
+    public float inverseW;
 
-    /** The end of the ray in units of T. */
+    /** The end of the ray in units of T; negative if the direction is zero or not finite, so that nothing is hit. */
     public float tMax;
 
-    /** t = T · this. */
+    /** t = T · this; a power of two. */
     public double toParameter;
 
-    /** T = t · this. */
+    /** T = t · this; a power of two. */
     public double fromParameter;
 
-    /** Kernels may keep their best hit here while other primitives are tested. */
-    public float best;
+    private final float[] origin = new float[3];
+    private final float[] direction = new float[3];
+    private final float[] inverse = new float[3];
 
     void set(Ray ray, double scale) {
-        double dx = ray.dx;
-        double dy = ray.dy;
-        double dz = ray.dz;
-        double ax = Math.abs(dx);
-        double ay = Math.abs(dy);
-        double az = Math.abs(dz);
-        double largest = Math.max(ax, Math.max(ay, az));
-        double shrink = 1 / largest;
-        dx *= shrink;
-        dy *= shrink;
-        dz *= shrink;
-        fromParameter = scale * largest;
-        toParameter = shrink / scale;
-        tMax = (float) (ray.tMax * fromParameter);
+        long ax = Double.doubleToRawLongBits(ray.dx) & Long.MAX_VALUE;
+        long ay = Double.doubleToRawLongBits(ray.dy) & Long.MAX_VALUE;
+        long az = Double.doubleToRawLongBits(ray.dz) & Long.MAX_VALUE;
+        // Magnitudes order like their bits; differences of those do not overflow.
+        long yLarger = ax - ay >>> 63;
+        long larger = ax + (ay - ax & -yLarger);
+        long zLarger = larger - az >>> 63;
+        long largest = larger + (az - larger & -zLarger);
+        int w = (int) (yLarger + (2 - yLarger & -zLarger));
+        long exponent = Math.max(1, Math.min(2045, largest >>> 52));
+        double shrink = Double.longBitsToDouble(2046 - exponent << 52);
+        fromParameter = scale * Double.longBitsToDouble(exponent << 52);
+        toParameter = 1 / fromParameter;
+        tMax = largest == 0 || largest >= INFINITY ? -1 : (float) (ray.tMax * fromParameter);
         float ox = (float) (ray.ox * scale);
         float oy = (float) (ray.oy * scale);
         float oz = (float) (ray.oz * scale);
-        originX = ox;
-        originY = oy;
-        originZ = oz;
-        float ix = inverse(dx);
-        float iy = inverse(dy);
-        float iz = inverse(dz);
+        float dx = (float) (ray.dx * shrink);
+        float dy = (float) (ray.dy * shrink);
+        float dz = (float) (ray.dz * shrink);
+        float ix = reciprocal(dx);
+        float iy = reciprocal(dy);
+        float iz = reciprocal(dz);
+        origin[0] = ox;
+        origin[1] = oy;
+        origin[2] = oz;
+        direction[0] = dx;
+        direction[1] = dy;
+        direction[2] = dz;
+        inverse[0] = ix;
+        inverse[1] = iy;
+        inverse[2] = iz;
         inverseX = ix;
         inverseY = iy;
         inverseZ = iz;
@@ -100,33 +115,22 @@ public final class PreparedRay {
         farX = cx + sx;
         farY = cy + sy;
         farZ = cz + sz;
-        if (az >= ax && az >= ay) {
-            frame(0, 1, 2, ox, oy, oz, dx, dy, dz);
-        } else if (ay >= ax) {
-            frame(2, 0, 1, oz, ox, oy, dz, dx, dy);
-        } else {
-            frame(1, 2, 0, oy, oz, ox, dy, dz, dx);
-        }
-    }
-
-    private static float inverse(double direction) {
-        float d = (float) direction;
-        if (Math.abs(d) < LEAST_DIRECTION) {
-            return Math.copySign((float) (1 / LEAST_DIRECTION), d);
-        }
-        return 1 / d;
-    }
-
-    private void frame(int u, int v, int w, float ou, float ov, float ow, double du, double dv, double dw) {
+        // (w + 1) mod 3 and (w + 2) mod 3, from tables of two bits each.
+        int u = 0b001001 >> 2 * w & 3;
+        int v = 0b010010 >> 2 * w & 3;
         axisU = u;
         axisV = v;
         axisW = w;
-        originU = ou;
-        originV = ov;
-        originW = ow;
-        float s = (float) Math.signum(dw);
-        sign = s;
-        shearU = (float) (du * s);
-        shearV = (float) (dv * s);
+        originU = origin[u];
+        originV = origin[v];
+        originW = origin[w];
+        float iw = inverse[w];
+        inverseW = iw;
+        shearU = direction[u] * iw;
+        shearV = direction[v] * iw;
+    }
+
+    private static float reciprocal(float d) {
+        return Math.abs(d) < LEAST_DIRECTION ? Math.copySign(1 / LEAST_DIRECTION, d) : 1 / d;
     }
 }

@@ -53,9 +53,9 @@ final class ScalarIntersector implements Intersector {
         float fx = p.farX;
         float fy = p.farY;
         float fz = p.farZ;
-        int nearX = ix < 0 ? 3 * W : 0;
-        int nearY = iy < 0 ? 4 * W : W;
-        int nearZ = iz < 0 ? 5 * W : 2 * W;
+        int nearX = (Float.floatToRawIntBits(p.inverseX) >> 31 & 3 * W);
+        int nearY = W + (Float.floatToRawIntBits(p.inverseY) >> 31 & 3 * W);
+        int nearZ = 2 * W + (Float.floatToRawIntBits(p.inverseZ) >> 31 & 3 * W);
         int farX = 3 * W - nearX;
         int farY = 5 * W - nearY;
         int farZ = 7 * W - nearZ;
@@ -147,9 +147,9 @@ final class ScalarIntersector implements Intersector {
         float fx = p.farX;
         float fy = p.farY;
         float fz = p.farZ;
-        int nearX = ix < 0 ? 3 * W : 0;
-        int nearY = iy < 0 ? 4 * W : W;
-        int nearZ = iz < 0 ? 5 * W : 2 * W;
+        int nearX = (Float.floatToRawIntBits(p.inverseX) >> 31 & 3 * W);
+        int nearY = W + (Float.floatToRawIntBits(p.inverseY) >> 31 & 3 * W);
+        int nearZ = 2 * W + (Float.floatToRawIntBits(p.inverseZ) >> 31 & 3 * W);
         int farX = 3 * W - nearX;
         int farY = 5 * W - nearY;
         int farZ = 7 * W - nearZ;
@@ -220,7 +220,7 @@ final class ScalarIntersector implements Intersector {
         float wa = ea * inverse + 0f;
         float wb = eb * inverse + 0f;
         float wc = ec * inverse + 0f;
-        int t = Float.floatToRawIntBits((wa * aw + wb * bw + wc * cw) * p.sign);
+        int t = Float.floatToRawIntBits((wa * aw + wb * bw + wc * cw) * p.inverseW);
         int signs = Float.floatToRawIntBits(wa) | Float.floatToRawIntBits(wb) | Float.floatToRawIntBits(wc);
         return signs < 0 ? -1 : t;
     }

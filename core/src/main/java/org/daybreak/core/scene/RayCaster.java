@@ -97,23 +97,38 @@ public final class RayCaster {
         return throughVeils(dx, dy, dz, end);
     }
 
-    /** Follows an occlusion ray through alpha masks, whose transparencies multiply. */
+    /**
+     * Follows an occlusion ray through alpha masks, whose transparencies multiply. Behind each it aims at the same end point
+     * anew: the offset from the mask may be longer than the gap that is left before the target.
+     */
     private double throughVeils(double dx, double dy, double dz, double end) {
+        boolean infinite = end == Double.POSITIVE_INFINITY;
+        double endX = ray.ox + end * dx;
+        double endY = ray.oy + end * dy;
+        double endZ = ray.oz + end * dz;
         double transmittance = 1;
-        double remaining = end;
         while (intersector.intersect(ray)) {
-            remaining -= ray.t;
             scene.resolve(ray, refinement, veil);
             transmittance *= scene.bsdf(veil.shape).transparency(veil);
             if (transmittance == 0) {
                 return 0;
             }
             double o = veil.geometricCosine(dx, dy, dz) < 0 ? -veil.offset : veil.offset;
+            double x = veil.x + o * veil.gx;
+            double y = veil.y + o * veil.gy;
+            double z = veil.z + o * veil.gz;
             counts[RayKind.SHADOW.ordinal()]++;
-            ray.set(veil.x + o * veil.gx, veil.y + o * veil.gy, veil.z + o * veil.gz, dx, dy, dz, remaining);
-            if (!(remaining > 0)) {
+            if (infinite) {
+                ray.set(x, y, z, dx, dy, dz, end);
+                continue;
+            }
+            double leftX = endX - x;
+            double leftY = endY - y;
+            double leftZ = endZ - z;
+            if (!(leftX * dx + leftY * dy + leftZ * dz > 0)) {
                 break;
             }
+            ray.set(x, y, z, leftX, leftY, leftZ, 1);
         }
         return transmittance;
     }
