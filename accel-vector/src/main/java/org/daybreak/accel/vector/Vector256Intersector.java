@@ -68,9 +68,9 @@ final class Vector256Intersector implements Intersector {
         FloatVector fx = FloatVector.broadcast(FLOATS, p.farX);
         FloatVector fy = FloatVector.broadcast(FLOATS, p.farY);
         FloatVector fz = FloatVector.broadcast(FLOATS, p.farZ);
-        int nearX = (Float.floatToRawIntBits(p.inverseX) >> 31 & 3 * W);
-        int nearY = W + (Float.floatToRawIntBits(p.inverseY) >> 31 & 3 * W);
-        int nearZ = 2 * W + (Float.floatToRawIntBits(p.inverseZ) >> 31 & 3 * W);
+        int nearX = ((Float.floatToRawIntBits(p.inverseX) >> 31) & (3 * W));
+        int nearY = W + ((Float.floatToRawIntBits(p.inverseY) >> 31) & (3 * W));
+        int nearZ = 2 * W + ((Float.floatToRawIntBits(p.inverseZ) >> 31) & (3 * W));
         int farX = 3 * W - nearX;
         int farY = 5 * W - nearY;
         int farZ = 7 * W - nearZ;
@@ -249,9 +249,9 @@ final class Vector256Intersector implements Intersector {
         FloatVector fx = FloatVector.broadcast(FLOATS, p.farX);
         FloatVector fy = FloatVector.broadcast(FLOATS, p.farY);
         FloatVector fz = FloatVector.broadcast(FLOATS, p.farZ);
-        int nearX = (Float.floatToRawIntBits(p.inverseX) >> 31 & 3 * W);
-        int nearY = W + (Float.floatToRawIntBits(p.inverseY) >> 31 & 3 * W);
-        int nearZ = 2 * W + (Float.floatToRawIntBits(p.inverseZ) >> 31 & 3 * W);
+        int nearX = ((Float.floatToRawIntBits(p.inverseX) >> 31) & (3 * W));
+        int nearY = W + ((Float.floatToRawIntBits(p.inverseY) >> 31) & (3 * W));
+        int nearZ = 2 * W + ((Float.floatToRawIntBits(p.inverseZ) >> 31) & (3 * W));
         int farX = 3 * W - nearX;
         int farY = 5 * W - nearY;
         int farZ = 7 * W - nearZ;

@@ -18,7 +18,7 @@ final class BinnedSahBuilder {
     /** Ranges of at least twice this size are binned by several threads. */
     private static final int BIN_GRAIN = 1 << 16;
 
-    private static final int MAX_BINS = 16;
+    private static final int MAX_BINS = 32;
 
     /** Ints of one bin: minimum x, y, z, number of records, maximum x, y, z, unused. */
     private static final int BIN = 8;

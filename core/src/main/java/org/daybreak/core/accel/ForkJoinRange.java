@@ -70,8 +70,12 @@ final class ForkJoinRange extends RecursiveAction {
         try {
             return pool.submit(computation::get).join();
         } catch (IllegalArgumentException e) {
-            // A pool wraps exceptions in one of the same type.
-            throw e.getCause() instanceof IllegalArgumentException ? (IllegalArgumentException) e.getCause() : e;
+            // Each task that passes an exception on wraps it in one of the same type.
+            IllegalArgumentException first = e;
+            while (first.getCause() instanceof IllegalArgumentException cause) {
+                first = cause;
+            }
+            throw first;
         } finally {
             pool.shutdown();
         }

@@ -34,6 +34,7 @@ import org.jspecify.annotations.Nullable;
 public final class HitRefinement {
     private static final double FLOAT_EPSILON = 0x1p-24;
     private static final double DOUBLE_EPSILON = 0x1p-44;
+    private static final double WORLD_EPSILON = 0x1p-48;
     private static final double POSITION_FACTOR = 4;
     private static final double EXTENT_FACTOR = 12;
     private static final double INSET_FACTOR = 4;
@@ -214,7 +215,8 @@ public final class HitRefinement {
                 nz = objectZ;
             }
             case DISK -> {
-                double scale = Math.min(1, (1 - inset) / Math.sqrt(objectX * objectX + objectY * objectY));
+                double edge = edgeInset(quadric, inset, 0, 0, 1);
+                double scale = Math.min(1, (1 - edge) / Math.sqrt(objectX * objectX + objectY * objectY));
                 objectX *= scale;
                 objectY *= scale;
                 objectZ = 0;
@@ -226,7 +228,8 @@ public final class HitRefinement {
                 double scale = 1 / Math.sqrt(objectX * objectX + objectY * objectY);
                 objectX *= scale;
                 objectY *= scale;
-                objectZ = Math.min(1 - inset, Math.max(inset, objectZ));
+                double edge = edgeInset(quadric, inset, objectX, objectY, 0);
+                objectZ = Math.min(1 - edge, Math.max(edge, objectZ));
                 nx = objectX;
                 ny = objectY;
                 nz = 0;
@@ -244,6 +247,20 @@ public final class HitRefinement {
         normalY = wy / length;
         normalZ = wz / length;
         offset = inset / length;
+    }
+
+    /** How far to keep off the edge of a quadric, for the reasons that hold for triangles. */
+    private double edgeInset(Quadric q, double inset, double nx, double ny, double nz) {
+        double wx = q.worldToObject(0) * nx + q.worldToObject(4) * ny + q.worldToObject(8) * nz;
+        double wy = q.worldToObject(1) * nx + q.worldToObject(5) * ny + q.worldToObject(9) * nz;
+        double wz = q.worldToObject(2) * nx + q.worldToObject(6) * ny + q.worldToObject(10) * nz;
+        double ox = q.worldToObject(0) * wx + q.worldToObject(1) * wy + q.worldToObject(2) * wz;
+        double oy = q.worldToObject(4) * wx + q.worldToObject(5) * wy + q.worldToObject(6) * wz;
+        double oz = q.worldToObject(8) * wx + q.worldToObject(9) * wy + q.worldToObject(10) * wz;
+        double square = wx * wx + wy * wy + wz * wz;
+        double length = Math.sqrt(square);
+        double slide = Math.sqrt(ox * ox + oy * oy + oz * oz) / square;
+        return Math.min(MOST_INSET, INSET_FACTOR * inset * slide * slide(wx / length, wy / length, wz / length));
     }
 
     private static double row(Quadric q, int at, double px, double py, double pz) {
@@ -275,6 +292,6 @@ public final class HitRefinement {
         normalY = ny / length;
         normalZ = nz / length;
         double magnitude = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
-        offset = offset / length + DOUBLE_EPSILON * magnitude;
+        offset = offset / length + WORLD_EPSILON * magnitude;
     }
 }

@@ -116,8 +116,8 @@ public final class PreparedRay {
         farY = cy + sy;
         farZ = cz + sz;
         // (w + 1) mod 3 and (w + 2) mod 3, from tables of two bits each.
-        int u = 0b001001 >> 2 * w & 3;
-        int v = 0b010010 >> 2 * w & 3;
+        int u = (0b001001 >> (2 * w)) & 3;
+        int v = (0b010010 >> (2 * w)) & 3;
         axisU = u;
         axisV = v;
         axisW = w;

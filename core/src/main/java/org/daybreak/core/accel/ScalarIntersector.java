@@ -53,9 +53,9 @@ final class ScalarIntersector implements Intersector {
         float fx = p.farX;
         float fy = p.farY;
         float fz = p.farZ;
-        int nearX = (Float.floatToRawIntBits(p.inverseX) >> 31 & 3 * W);
-        int nearY = W + (Float.floatToRawIntBits(p.inverseY) >> 31 & 3 * W);
-        int nearZ = 2 * W + (Float.floatToRawIntBits(p.inverseZ) >> 31 & 3 * W);
+        int nearX = ((Float.floatToRawIntBits(p.inverseX) >> 31) & (3 * W));
+        int nearY = W + ((Float.floatToRawIntBits(p.inverseY) >> 31) & (3 * W));
+        int nearZ = 2 * W + ((Float.floatToRawIntBits(p.inverseZ) >> 31) & (3 * W));
         int farX = 3 * W - nearX;
         int farY = 5 * W - nearY;
         int farZ = 7 * W - nearZ;
@@ -147,9 +147,9 @@ final class ScalarIntersector implements Intersector {
         float fx = p.farX;
         float fy = p.farY;
         float fz = p.farZ;
-        int nearX = (Float.floatToRawIntBits(p.inverseX) >> 31 & 3 * W);
-        int nearY = W + (Float.floatToRawIntBits(p.inverseY) >> 31 & 3 * W);
-        int nearZ = 2 * W + (Float.floatToRawIntBits(p.inverseZ) >> 31 & 3 * W);
+        int nearX = ((Float.floatToRawIntBits(p.inverseX) >> 31) & (3 * W));
+        int nearY = W + ((Float.floatToRawIntBits(p.inverseY) >> 31) & (3 * W));
+        int nearZ = 2 * W + ((Float.floatToRawIntBits(p.inverseZ) >> 31) & (3 * W));
         int farX = 3 * W - nearX;
         int farY = 5 * W - nearY;
         int farZ = 7 * W - nearZ;
