@@ -187,11 +187,13 @@ class DiagnosticScenesTest {
     /** The exact integrals and the files agree up to the points that the files' averages are taken over. */
     @ParameterizedTest
     @ValueSource(
-            strings = {"furnace_sphere/scene_diffuse05.xml", "concentric_spheres/scene.xml", "mirror_corridor/scene.xml"})
+            strings = {"furnace_sphere/scene_diffuse05.xml", "concentric_spheres/scene.xml", "mirror_corridor/scene.xml"
+            })
     void edgesAreThoseOfTheFiles(String scene) throws IOException {
         ClosedForm closedForm = ClosedForm.of(scene);
         double[] file = closedForm.file();
-        double contrast = Arrays.stream(file).max().orElseThrow() - Arrays.stream(file).min().orElseThrow();
+        double contrast = Arrays.stream(file).max().orElseThrow()
+                - Arrays.stream(file).min().orElseThrow();
         assertArrayEquals(file, closedForm.exact(), ClosedForm.quantisation() * contrast);
         double mean = Arrays.stream(file).average().orElseThrow();
         assertEquals(mean, Arrays.stream(closedForm.exact()).average().orElseThrow(), 2e-3 * mean);
