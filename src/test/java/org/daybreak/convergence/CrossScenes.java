@@ -210,7 +210,7 @@ final class CrossScenes {
         for (int i = 0; i < 4; i++) {
             emitter(
                     sheet(),
-                    Transform.translate(i % 2 - 0.5, 0.5, i / 2 - 0.6)
+                    Transform.translate(i % 2 - 0.5, 0.5, i < 2 ? -0.6 : 0.4)
                             .multiply(Transform.rotate(1, 0.3 * i, 0, 70))
                             .multiply(Transform.scale(i % 2 == 0 ? -0.2 : 0.2, 0.15, 1)),
                     i / 2 == 0);

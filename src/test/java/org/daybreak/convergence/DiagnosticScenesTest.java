@@ -30,6 +30,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Renderers against the closed forms of {@code scenes/diagnostic}.
@@ -183,6 +184,21 @@ class DiagnosticScenesTest {
         assertEquals(wanted, covered);
     }
 
+    /** The exact integrals and the files agree up to the points that the files' averages are taken over. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"furnace_sphere/scene_diffuse05.xml", "concentric_spheres/scene.xml", "mirror_corridor/scene.xml"
+            })
+    void edgesAreThoseOfTheFiles(String scene) throws IOException {
+        ClosedForm closedForm = ClosedForm.of(scene);
+        double[] file = closedForm.file();
+        double contrast = Arrays.stream(file).max().orElseThrow()
+                - Arrays.stream(file).min().orElseThrow();
+        assertArrayEquals(file, closedForm.exact(), ClosedForm.quantisation() * contrast);
+        double mean = Arrays.stream(file).average().orElseThrow();
+        assertEquals(mean, Arrays.stream(closedForm.exact()).average().orElseThrow(), 2e-3 * mean);
+    }
+
     @ParameterizedTest
     @MethodSource("subjects")
     void meetsItsClosedForm(Subject subject) throws IOException, SceneException {
@@ -243,7 +259,7 @@ class DiagnosticScenesTest {
                 compared += closedForm.smooth(i) ? 1 : 0;
             }
         }
-        assertTrue(compared > 0.7 * 3 * closedForm.exact().length, () -> subject + ": hardly a pixel is compared");
+        assertTrue(compared > 0.6 * 3 * closedForm.exact().length, () -> subject + ": hardly a pixel is compared");
     }
 
     private static void checkMeans(
@@ -296,8 +312,8 @@ class DiagnosticScenesTest {
         for (int i = 0; i < seen.length; i++) {
             seen[i] = true;
             for (int corner = 0; corner < 4; corner++) {
-                double x = i % width + corner % 2;
-                double y = (double) (i / width) + corner / 2;
+                int x = i % width + corner % 2;
+                int y = i / width + corner / 2;
                 assertTrue(camera.sampleRay(x, y, 0.5, 0.5, ray));
                 double t = -ray.oy / ray.dy;
                 seen[i] &= t > 0 && Math.abs(ray.ox + t * ray.dx) < 1 && Math.abs(ray.oz + t * ray.dz) < 1;

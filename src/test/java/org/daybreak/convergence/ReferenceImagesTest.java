@@ -64,7 +64,14 @@ class ReferenceImagesTest {
         "veach_room, 25, 12, true, 0.03, 0.2, 0.05",
         "door_ajar, 25, 12, true, 0.35, 0.1, 0.05",
     })
-    void pathTracingAgreesAtSmallSize(String scene, int block, int samplesPerPixel, boolean rare, double uncertain, double outliers, double detectable)
+    void pathTracingAgreesAtSmallSize(
+            String scene,
+            int block,
+            int samplesPerPixel,
+            boolean rare,
+            double uncertain,
+            double outliers,
+            double detectable)
             throws SceneException, ImageFileException {
         check(scene, 5, block, samplesPerPixel, rare, uncertain, outliers, detectable);
     }
@@ -78,12 +85,27 @@ class ReferenceImagesTest {
         "veach_room, 10, 16, true, 0.35, 0.2, 0.02",
         "door_ajar, 10, 16, true, 0.35, 0.2, 0.02",
     })
-    void pathTracingAgrees(String scene, int block, int samplesPerPixel, boolean rare, double uncertain, double outliers, double detectable)
+    void pathTracingAgrees(
+            String scene,
+            int block,
+            int samplesPerPixel,
+            boolean rare,
+            double uncertain,
+            double outliers,
+            double detectable)
             throws SceneException, ImageFileException {
         check(scene, 1, block, samplesPerPixel, rare, uncertain, outliers, detectable);
     }
 
-    private static void check(String name, int shrink, int block, int samplesPerPixel, boolean rare, double uncertain, double outliers, double detectable)
+    private static void check(
+            String name,
+            int shrink,
+            int block,
+            int samplesPerPixel,
+            boolean rare,
+            double uncertain,
+            double outliers,
+            double detectable)
             throws SceneException, ImageFileException {
         SceneFile file = ShippedScenes.read(name + "/scene.xml");
         ReferenceImage reference = ReferenceImage.of(name);
@@ -93,13 +115,15 @@ class ReferenceImagesTest {
         Runs runs = Runs.of(renderer, scene, 5000, RUNS, samplesPerPixel);
         Outcome right = compare(runs, reference, shrink, block, rare, 1);
         System.out.println(name + ": " + right);
-        assertTrue(right.uncertain <= uncertain * right.blocks, () -> name + ": too many blocks are left out: " + right);
+        assertTrue(
+                right.uncertain <= uncertain * right.blocks, () -> name + ": too many blocks are left out: " + right);
         assertTrue(right.outliers <= outliers * right.blocks, () -> name + ": too many blocks are left out: " + right);
         assertTrue(right.agrees(), () -> name + ": " + right);
         for (double factor : new double[] {1 - detectable, 1 + detectable}) {
             assertTrue(
                     !compare(runs, reference, shrink, block, rare, factor).agrees(),
-                    () -> String.format(Locale.ROOT, "%s: an image %.3f times as bright is not found out", name, factor));
+                    () -> String.format(
+                            Locale.ROOT, "%s: an image %.3f times as bright is not found out", name, factor));
         }
     }
 
@@ -115,20 +139,15 @@ class ReferenceImagesTest {
      * @param meanPValue smallest p-value of the means of the image
      */
     private record Outcome(
-            int blocks,
-            int uncertain,
-            int outliers,
-            int rejected,
-            String worst,
-            double smallest,
-            double meanPValue) {
+            int blocks, int uncertain, int outliers, int rejected, String worst, double smallest, double meanPValue) {
         boolean agrees() {
             return rejected == 0 && meanPValue >= Significance.sidak(SIGNIFICANCE, Runs.CHANNELS.size());
         }
     }
 
     /** Compares the runs, made brighter by a factor, with the reference. */
-    private static Outcome compare(Runs runs, ReferenceImage reference, int shrink, int block, boolean rare, double factor) {
+    private static Outcome compare(
+            Runs runs, ReferenceImage reference, int shrink, int block, boolean rare, double factor) {
         int columns = Grids.tiles(reference.width(), block);
         int perChannel = columns * Grids.tiles(reference.height(), block);
         double level = Significance.sidak(SIGNIFICANCE, Runs.CHANNELS.size() * perChannel);
@@ -183,12 +202,14 @@ class ReferenceImagesTest {
                 }
             }
             double expectedMean = Arrays.stream(expected).average().orElseThrow();
-            double expectedMeanVariance = Arrays.stream(expectedVariance).average().orElseThrow() / perChannel;
+            double expectedMeanVariance =
+                    Arrays.stream(expectedVariance).average().orElseThrow() / perChannel;
             Moments mean = Moments.of(imageMeans);
             double p = pValue(mean.mean() - expectedMean, mean.varianceOfMean(), expectedMeanVariance);
             meanPValue = Math.min(meanPValue, p);
         }
-        return new Outcome(Runs.CHANNELS.size() * perChannel, uncertain, outliers, rejected, worst, smallest, meanPValue);
+        return new Outcome(
+                Runs.CHANNELS.size() * perChannel, uncertain, outliers, rejected, worst, smallest, meanPValue);
     }
 
     /** p-value of a difference of the mean of the runs and a value with a known variance (Welch). */
