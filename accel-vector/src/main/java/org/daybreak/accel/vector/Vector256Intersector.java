@@ -235,18 +235,18 @@ final class Vector256Intersector implements Intersector {
                     } while (hits != 0);
                 }
             } else {
-                double tMax = bestLane >= 0 ? Float.intBitsToFloat(best) * p.toParameter : found ? ray.t : ray.tMax;
+                double tMax = bestLane >= 0 ? p.parameter(Float.intBitsToFloat(best)) : found ? ray.t : ray.tMax;
                 if (others.intersect(ray, ~reference >> 1, tMax)) {
                     found = true;
                     bestLane = -1;
-                    best = Float.floatToRawIntBits((float) (ray.t * p.fromParameter));
+                    best = Float.floatToRawIntBits(p.distance(ray.t));
                 }
             }
             long entry;
             do {
                 if (sp == 0) {
                     if (bestLane >= 0) {
-                        ray.t = Float.intBitsToFloat(best) * p.toParameter;
+                        ray.t = p.parameter(Float.intBitsToFloat(best));
                         ray.primitive = bvh.number(bestBlock, bestLane);
                         ray.instance = -1;
                     }

@@ -29,6 +29,11 @@ final class ColdTraversalChecks {
             int hits = 0;
             for (int i = 0; i < 40_000; i++) {
                 SelfCheck.aim(first, random, i % 4 == 0 ? 1.5 : Double.POSITIVE_INFINITY);
+                if (i % 8 == 7) {
+                    first.ox -= 100 * first.dx;
+                    first.oy -= 100 * first.dy;
+                    first.oz -= 100 * first.dz;
+                }
                 second.set(first.ox, first.oy, first.oz, first.dx, first.dy, first.dz, first.tMax);
                 hits += a.intersect(first) ? 1 : 0;
                 b.intersect(second);

@@ -44,6 +44,11 @@ class Vector256IntersectorTest {
     }
 
     @Test
+    void farOriginsLoseNoDigits() {
+        checks.farOriginsLoseNoDigits();
+    }
+
+    @Test
     void pathsNeitherLeakNorHitThemselves() {
         checks.pathsNeitherLeakNorHitThemselves(30_000);
     }

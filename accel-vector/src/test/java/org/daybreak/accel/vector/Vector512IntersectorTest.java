@@ -44,6 +44,11 @@ class Vector512IntersectorTest {
     }
 
     @Test
+    void farOriginsLoseNoDigits() {
+        checks.farOriginsLoseNoDigits();
+    }
+
+    @Test
     void pathsNeitherLeakNorHitThemselves() {
         checks.pathsNeitherLeakNorHitThemselves(30_000);
     }

@@ -4,8 +4,9 @@ package org.daybreak.core.accel;
  * A ray in single precision, as the traversal kernels want it. For implementations of {@link Intersector}.
  *
  * <p>Coordinates are scaled like those of the index. The direction is multiplied by the power of two that brings its
- * largest component into [1, 2), so that distances T have the magnitude of coordinates: t = T · {@link #toParameter}.
- * Neither can then overflow or vanish, whatever the length of the direction and the size of the scene.
+ * largest component into [1, 2), so that distances T have the magnitude of coordinates; see {@link #parameter}.
+ * Neither can then overflow or vanish, whatever the length of the direction and the size of the scene. A ray that starts
+ * far from the scene is moved up to it in double precision first, so that no digits are lost on the way.
  *
  * <p>There are no branches on the direction: for rays in all directions each would be mispredicted half of the time, and
  * the whole preparation costs no more than one node of the hierarchy.
@@ -30,6 +31,9 @@ public final class PreparedRay {
     private static final float LEAST_DIRECTION = 0x1p-60f;
 
     private static final long INFINITY = 0x7ff0000000000000L;
+
+    /** Origins whose coordinates sum up to more are far from the scene. */
+    private static final float FAR = 8;
 
     private static final float SLACK = 0x1p-21f;
 
@@ -57,11 +61,13 @@ public final class PreparedRay {
     /** The end of the ray in units of T; negative if the direction is zero or not finite, so that nothing is hit. */
     public float tMax;
 
-    /** t = T · this; a power of two. */
-    public double toParameter;
+    /** Power of two by which distances are multiplied to get parameters, and back. */
+    private double toParameter;
 
-    /** T = t · this; a power of two. */
-    public double fromParameter;
+    private double fromParameter;
+
+    /** Distance by which the origin was moved up to the scene. */
+    private double start;
 
     private final float[] origin = new float[3];
     private final float[] direction = new float[3];
@@ -81,10 +87,17 @@ public final class PreparedRay {
         double shrink = Double.longBitsToDouble((2046 - exponent) << 52);
         fromParameter = scale * Double.longBitsToDouble(exponent << 52);
         toParameter = 1 / fromParameter;
-        tMax = largest == 0 || largest >= INFINITY ? -1 : (float) (ray.tMax * fromParameter);
+        start = 0;
         float ox = (float) (ray.ox * scale);
         float oy = (float) (ray.oy * scale);
         float oz = (float) (ray.oz * scale);
+        if (Math.abs(ox) + Math.abs(oy) + Math.abs(oz) > FAR) {
+            start = approach(ray, scale, shrink);
+            ox = (float) (ray.ox * scale + start * (ray.dx * shrink));
+            oy = (float) (ray.oy * scale + start * (ray.dy * shrink));
+            oz = (float) (ray.oz * scale + start * (ray.dz * shrink));
+        }
+        tMax = largest == 0 || largest >= INFINITY ? -1 : distance(ray.tMax);
         float dx = (float) (ray.dx * shrink);
         float dy = (float) (ray.dy * shrink);
         float dz = (float) (ray.dz * shrink);
@@ -128,6 +141,24 @@ public final class PreparedRay {
         inverseW = iw;
         shearU = direction[u] * iw;
         shearV = direction[v] * iw;
+    }
+
+    /** A distance after which the ray is still outside of [-2, 2]³; the scene lies in [-1, 1]³. */
+    private static double approach(Ray ray, double scale, double shrink) {
+        double away = scale * Math.max(Math.abs(ray.ox), Math.max(Math.abs(ray.oy), Math.abs(ray.oz)));
+        double speed = shrink * Math.max(Math.abs(ray.dx), Math.max(Math.abs(ray.dy), Math.abs(ray.dz)));
+        double distance = (away - 2) / speed;
+        return distance > 0 && distance < Double.POSITIVE_INFINITY ? distance : 0;
+    }
+
+    /** The parameter t on the ray of a distance T from the prepared origin. */
+    public double parameter(float distance) {
+        return (distance + start) * toParameter;
+    }
+
+    /** The distance T from the prepared origin of a parameter t on the ray. */
+    public float distance(double parameter) {
+        return (float) (parameter * fromParameter - start);
     }
 
     private static float reciprocal(float d) {

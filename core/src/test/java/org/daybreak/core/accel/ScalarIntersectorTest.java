@@ -30,6 +30,11 @@ class ScalarIntersectorTest {
     }
 
     @Test
+    void farOriginsLoseNoDigits() {
+        checks.farOriginsLoseNoDigits();
+    }
+
+    @Test
     void pathsNeitherLeakNorHitThemselves() {
         checks.pathsNeitherLeakNorHitThemselves(30_000);
     }
