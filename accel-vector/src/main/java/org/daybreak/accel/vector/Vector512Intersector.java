@@ -12,6 +12,7 @@ import org.daybreak.core.accel.PreparedRay;
 import org.daybreak.core.accel.PrimitiveSet;
 import org.daybreak.core.accel.Ray;
 import org.daybreak.core.accel.WideBvh;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Traversal of a {@link WideBvh} with 512-bit vectors. Species must be constants of the kernel, so there is one class for
@@ -34,8 +35,15 @@ final class Vector512Intersector implements Intersector {
     private final int stackSize;
     private final double scale;
 
-    private Vector512Intersector(WideBvh bvh) {
+    /** Null in the one that is used to warm up. */
+    private final @Nullable WarmUp warmUp;
+
+    private final ColdTraversal cold;
+
+    private Vector512Intersector(WideBvh bvh, @Nullable WarmUp warmUp) {
         this.bvh = bvh;
+        this.warmUp = warmUp;
+        cold = new ColdTraversal(bvh, W);
         data = bvh.data();
         others = bvh.others();
         root = bvh.root();
@@ -43,12 +51,30 @@ final class Vector512Intersector implements Intersector {
         scale = bvh.scale();
     }
 
-    static Intersector build(PrimitiveSet set, int threads) {
-        return new Vector512Intersector(WideBvh.build(set, W, threads));
+    static Intersector build(PrimitiveSet set, int threads, WarmUp warmUp) {
+        return new Vector512Intersector(WideBvh.build(set, W, threads), warmUp);
+    }
+
+    /** Starts to get this kernel compiled. */
+    static WarmUp warmUp() {
+        return new WarmUp("vector512", W, bvh -> new Vector512Intersector(bvh, null));
     }
 
     @Override
     public boolean intersect(Ray ray) {
+        return usesKernel() ? closest(ray) : cold.intersect(ray);
+    }
+
+    @Override
+    public boolean occluded(Ray ray) {
+        return usesKernel() ? any(ray) : cold.occluded(ray);
+    }
+
+    private boolean usesKernel() {
+        return warmUp == null || warmUp.isReady();
+    }
+
+    private boolean closest(Ray ray) {
         ray.primitive = -1;
         ray.instance = -1;
         ray.t = ray.tMax;
@@ -232,8 +258,7 @@ final class Vector512Intersector implements Intersector {
         }
     }
 
-    @Override
-    public boolean occluded(Ray ray) {
+    private boolean any(Ray ray) {
         if (root == WideBvh.EMPTY) {
             return false;
         }
@@ -357,8 +382,10 @@ final class Vector512Intersector implements Intersector {
 
     @Override
     public String describe() {
+        String state = warmUp == null ? "" : warmUp.state();
+        double megabytes = memoryBytes() / 1e6;
         return String.format(
-                Locale.ROOT, "bvh%d-512, %d triangles, %.1f MB", W, bvh.triangleCount(), memoryBytes() / 1e6);
+                Locale.ROOT, "bvh%d-512, %d triangles, %.1f MB%s", W, bvh.triangleCount(), megabytes, state);
     }
 
     @Override

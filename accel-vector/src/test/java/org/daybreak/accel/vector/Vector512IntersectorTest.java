@@ -1,6 +1,8 @@
 package org.daybreak.accel.vector;
 
+import org.daybreak.core.accel.WideBvh;
 import org.daybreak.core.testing.IntersectorChecks;
+import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -8,13 +10,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class Vector512IntersectorTest {
-    private final Vector512Provider provider = new Vector512Provider();
-    private final IntersectorChecks checks = new IntersectorChecks(provider);
+    /** Shared: it warms up once. */
+    private static final Vector512Provider PROVIDER = new Vector512Provider();
+
+    private final IntersectorChecks checks = new IntersectorChecks(PROVIDER);
 
     @BeforeEach
-    void runsHere() {
-        String reason = provider.unavailability().orElse("");
+    void runsHere() throws InterruptedException {
+        String reason = PROVIDER.unavailability().orElse("");
         Assumptions.assumeTrue(reason.isEmpty(), reason);
+        Assertions.assertTrue(PROVIDER.awaitFullSpeed(120_000), "the kernel is slow or wrong");
     }
 
     @ParameterizedTest
@@ -56,6 +61,12 @@ class Vector512IntersectorTest {
     @Test
     void answersDoNotDependOnThreads() {
         checks.answersDoNotDependOnThreads();
+    }
+
+    @Test
+    void kernelAndColdTraversalGiveTheSameBits() {
+        ColdTraversalChecks.sameBits(
+                set -> new ColdTraversal(WideBvh.build(set, 512 / 32, 1), 512 / 32), set -> PROVIDER.build(set, 1));
     }
 
     @Test

@@ -43,6 +43,16 @@ public final class IntersectionBenchmark {
         }
     }
 
+    static void awaitFullSpeed(IntersectorProvider provider) {
+        try {
+            if (!provider.awaitFullSpeed(120_000)) {
+                throw new IllegalStateException(provider.id() + " does not reach full speed here");
+            }
+        } catch (InterruptedException e) {
+            throw new IllegalStateException("interrupted", e);
+        }
+    }
+
     static BenchmarkScene scene(String name) {
         return name.equals("cornell") ? BenchmarkScene.cornell() : BenchmarkScene.room(name, Integer.parseInt(name));
     }
@@ -50,6 +60,7 @@ public final class IntersectionBenchmark {
     private void run(IntersectorProvider provider, BenchmarkScene scene) {
         PrimitiveSet set = scene.primitives();
         Intersector intersector = provider.build(set, 2);
+        awaitFullSpeed(provider);
         RaySet[] kinds = RaySet.trace(set, intersector, RAYS);
         try (Embree embree = new Embree(set, 2)) {
             embree.build();

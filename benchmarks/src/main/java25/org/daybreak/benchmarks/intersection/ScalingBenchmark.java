@@ -41,6 +41,7 @@ public final class ScalingBenchmark {
         long start = System.nanoTime();
         Intersector intersector = provider.build(set, THREADS);
         double build = 1e-6 * (System.nanoTime() - start);
+        IntersectionBenchmark.awaitFullSpeed(provider);
         StringBuilder line = new StringBuilder(String.format(
                 Locale.ROOT,
                 "%d,%.1f,%.1f",

@@ -20,7 +20,7 @@ public interface IntersectorProvider {
     Optional<String> unavailability();
 
     /**
-     * Builds the index. The result, and every answer it gives, is the same for every number of threads.
+     * Builds the index. The result, and every answer it gives, is the same for every number of threads, at any time.
      *
      * @param primitives what to index; its arrays must not change afterwards
      * @param threads number of threads to build with, at least 1
@@ -28,4 +28,16 @@ public interface IntersectorProvider {
      *     too large for the index
      */
     Intersector build(PrimitiveSet primitives, int threads);
+
+    /**
+     * Waits until the intersectors of this provider run at full speed. They work from the start; only measurements need
+     * this. The clock starts with the first {@link #build}.
+     *
+     * @param milliseconds how long to wait at most
+     * @return false if they are still warming up, or turned out slow here and use a slower way for good
+     * @throws InterruptedException if the thread is interrupted
+     */
+    default boolean awaitFullSpeed(long milliseconds) throws InterruptedException {
+        return true;
+    }
 }

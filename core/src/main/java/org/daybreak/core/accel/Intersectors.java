@@ -40,8 +40,8 @@ public final class Intersectors {
     }
 
     /**
-     * The available provider of highest priority whose {@linkplain SelfCheck answers} agree with those of the scalar
-     * one. Found once for each process.
+     * The available provider of highest priority. Found once for each process, so that whatever it has to warm up is
+     * warmed up once.
      */
     public static Selection select() {
         return Chosen.BEST;
@@ -50,7 +50,7 @@ public final class Intersectors {
     /**
      * The provider of the given id.
      *
-     * @throws IllegalArgumentException if there is none, it is not available here, or it gives wrong answers
+     * @throws IllegalArgumentException if there is none or it is not available here
      */
     public static IntersectorProvider select(String id) {
         List<IntersectorProvider> providers = providers();
@@ -85,8 +85,7 @@ public final class Intersectors {
 
     private static String reasonAgainst(IntersectorProvider provider) {
         try {
-            String reason = provider.unavailability().orElse("");
-            return !reason.isEmpty() || provider instanceof ScalarProvider ? reason : SelfCheck.run(provider);
+            return provider.unavailability().orElse("");
         } catch (LinkageError | ServiceConfigurationError | RuntimeException e) {
             return "it failed: " + e;
         }

@@ -3,22 +3,23 @@ package org.daybreak.core.accel;
 import java.util.SplittableRandom;
 
 /**
- * Compares the answers of an intersector with those of the scalar one on a small scene of all kinds of primitives. A
- * vector kernel runs in the interpreter here, at microseconds for each operation; the number of rays keeps the check to
- * some milliseconds.
+ * Compares the answers of two intersectors on a small scene of triangles and quadrics. For providers whose code may go
+ * wrong on some JVM, and for tests.
  */
-final class SelfCheck {
-    private static final int TRIANGLES = 60;
-    private static final int RAYS = 48;
+public final class SelfCheck {
+    private static final int RAYS = 500;
 
     private SelfCheck() {}
 
-    /** Returns what is wrong, or an empty string. */
-    static String run(IntersectorProvider provider) {
+    /**
+     * Asks both the same.
+     *
+     * @param expected gives right answers for {@link #scene}
+     * @param actual is to be checked on the same scene
+     * @return what is wrong, or an empty string
+     */
+    public static String compare(Intersector expected, Intersector actual) {
         SplittableRandom random = new SplittableRandom(20_240_611);
-        PrimitiveSet set = scene(random);
-        Intersector expected = ScalarIntersector.build(set, 1);
-        Intersector actual = provider.build(set, 1);
         Ray a = new Ray();
         Ray b = new Ray();
         for (int i = 0; i < RAYS; i++) {
@@ -37,7 +38,8 @@ final class SelfCheck {
         return "";
     }
 
-    private static void aim(Ray ray, SplittableRandom random, double tMax) {
+    /** Aims a random ray from around the scene into it. */
+    public static void aim(Ray ray, SplittableRandom random, double tMax) {
         double ox = random.nextDouble(-2, 2);
         double oy = random.nextDouble(-2, 2);
         double oz = random.nextDouble(-2, 2);
@@ -51,14 +53,21 @@ final class SelfCheck {
                 tMax);
     }
 
-    private static PrimitiveSet scene(SplittableRandom random) {
-        float[] positions = new float[9 * TRIANGLES];
-        int[] corners = new int[3 * TRIANGLES];
-        for (int i = 0; i < TRIANGLES; i++) {
+    /**
+     * A sphere, a disk, a cylinder and random triangles in the cube [-1, 1]³.
+     *
+     * @param triangles number of triangles
+     */
+    public static PrimitiveSet scene(int triangles) {
+        SplittableRandom random = new SplittableRandom(20_240_612);
+        double size = 2 / Math.cbrt(triangles);
+        float[] positions = new float[9 * triangles];
+        int[] corners = new int[3 * triangles];
+        for (int i = 0; i < triangles; i++) {
             for (int axis = 0; axis < 3; axis++) {
                 double centre = random.nextDouble(-1, 1);
                 for (int corner = 0; corner < 3; corner++) {
-                    positions[9 * i + 3 * corner + axis] = (float) (centre + random.nextDouble(-0.4, 0.4));
+                    positions[9 * i + 3 * corner + axis] = (float) (centre + size * random.nextDouble(-0.5, 0.5));
                 }
             }
             for (int corner = 0; corner < 3; corner++) {

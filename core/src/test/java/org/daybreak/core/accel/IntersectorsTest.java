@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 class IntersectorsTest {
@@ -26,39 +25,14 @@ class IntersectorsTest {
 
     @Test
     void selfCheckPassesARightIntersectorAndCatchesAWrongOne() {
-        assertEquals("", SelfCheck.run(new ScalarProvider()));
-        assertNotEquals("", SelfCheck.run(new FaultyProvider(false)));
-        assertNotEquals("", SelfCheck.run(new FaultyProvider(true)));
+        PrimitiveSet set = SelfCheck.scene(200);
+        Intersector right = ScalarIntersector.build(set, 1);
+        assertEquals("", SelfCheck.compare(right, ScalarIntersector.build(set, 1)));
+        assertNotEquals("", SelfCheck.compare(right, new FaultyIntersector(right, false)));
+        assertNotEquals("", SelfCheck.compare(right, new FaultyIntersector(right, true)));
     }
 
     /** Loses every tenth hit, or reports every tenth distance a little wrong. */
-    private record FaultyProvider(boolean wrongDistance) implements IntersectorProvider {
-        @Override
-        public String id() {
-            return "faulty";
-        }
-
-        @Override
-        public String description() {
-            return "wrong now and then";
-        }
-
-        @Override
-        public int priority() {
-            return -1;
-        }
-
-        @Override
-        public Optional<String> unavailability() {
-            return Optional.empty();
-        }
-
-        @Override
-        public Intersector build(PrimitiveSet primitives, int threads) {
-            return new FaultyIntersector(ScalarIntersector.build(primitives, threads), wrongDistance);
-        }
-    }
-
     private static final class FaultyIntersector implements Intersector {
         private final Intersector right;
         private final boolean wrongDistance;

@@ -393,7 +393,8 @@ public final class IntersectorChecks {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         long thread = Thread.currentThread().getId();
         long least = Long.MAX_VALUE;
-        for (int round = 0; round < 60; round++) {
+        // The compiler works beside the test; it may take a while until the last version of the code is in use.
+        for (int round = 0; round < 600 && least >= 512; round++) {
             long before = threads.getThreadAllocatedBytes(thread);
             queryAll(intersector, rays, ray);
             least = Math.min(least, threads.getThreadAllocatedBytes(thread) - before);
