@@ -41,6 +41,10 @@ final class DirectLight {
     private double ny;
     private double nz;
 
+    private double keptNx;
+    private double keptNy;
+    private double keptNz;
+
     DirectLight(RayCaster caster) {
         this.caster = caster;
         scene = caster.scene();
@@ -59,6 +63,20 @@ final class DirectLight {
         fromNx = nx;
         fromNy = ny;
         fromNz = nz;
+    }
+
+    /** Keeps the normal that lights were chosen with at the vertex in hand, for paths that will start there later. */
+    void keepNormal() {
+        keptNx = nx;
+        keptNy = ny;
+        keptNz = nz;
+    }
+
+    /** Goes back to the vertex of {@link #keepNormal}. */
+    void recallNormal() {
+        nx = keptNx;
+        ny = keptNy;
+        nz = keptNz;
     }
 
     /**

@@ -306,7 +306,7 @@ final class RenderersTest {
         RaySample sample = new RaySample();
         SplatBuffer splats = new SplatBuffer();
         RayProcessor[] processors = {
-            new PathTracer(scene, scene.camera(), true, new PathTracerSettings(-1, 5)),
+            new PathTracer(scene, scene.camera(), true, new PathTracerSettings(-1, 5, 4)),
             new ClassicRayTracer(scene, scene.camera(), true, new ClassicRayTracerSettings(10))
         };
         LightTracer light = new LightTracer(scene, scene.camera(), 1, new LightTracerSettings(-1, 5));
