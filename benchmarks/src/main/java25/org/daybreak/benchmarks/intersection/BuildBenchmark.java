@@ -46,6 +46,7 @@ public final class BuildBenchmark {
                 }
                 if (round == -WARM_UP_ROUNDS) {
                     cold = 1e-6 * (wall1 - wall0);
+                    IntersectionBenchmark.awaitFullSpeed(provider);
                 }
                 if (round >= 0) {
                     times[0][round] = 1e-6 * (wall1 - wall0);
