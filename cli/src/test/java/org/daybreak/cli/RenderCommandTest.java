@@ -63,7 +63,9 @@ class RenderCommandTest {
                         .code());
         var attributes = ExrReader.readHeader(exr).attributes();
         assertEquals(new ExrAttribute.StringValue("path"), attributes.get("renderer"));
-        assertEquals(new ExrAttribute.StringValue("{\"maxDepth\":3,\"rrDepth\":9}"), attributes.get("parameters"));
+        assertEquals(
+                new ExrAttribute.StringValue("{\"maxDepth\":3,\"rrDepth\":9,\"splitting\":4}"),
+                attributes.get("parameters"));
         assertEquals(new ExrAttribute.StringValue("-77"), attributes.get("seed"));
         assertEquals(new ExrAttribute.StringValue("sobol"), attributes.get("antialiasing"));
         assertEquals(new ExrAttribute.DoubleValue(4), attributes.get("samplesPerPixel"));

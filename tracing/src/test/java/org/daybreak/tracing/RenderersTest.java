@@ -217,7 +217,7 @@ final class RenderersTest {
     @Test
     void raysAreCounted() {
         Scene scene = TestScenes.furnaceSphere(0.5, 8);
-        RenderReport report = Rendering.renderer("path", Map.of("maxDepth", "2"))
+        RenderReport report = Rendering.renderer("path", Map.of("maxDepth", "2", "splitting", "1"))
                 .render(
                         scene,
                         scene.camera(),
