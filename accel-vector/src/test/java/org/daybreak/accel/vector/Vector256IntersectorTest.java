@@ -59,6 +59,11 @@ class Vector256IntersectorTest {
     }
 
     @Test
+    void improperRaysHitNothing() {
+        checks.improperRaysHitNothing();
+    }
+
+    @Test
     void coincidentTriangles() {
         checks.coincidentTriangles();
     }

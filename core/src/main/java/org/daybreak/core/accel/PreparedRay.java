@@ -4,15 +4,14 @@ package org.daybreak.core.accel;
  * A ray in single precision, as the traversal kernels want it. For implementations of {@link Intersector}.
  *
  * <p>Coordinates are scaled like those of the index. The direction is multiplied by the power of two that brings its
- * largest component into [1, 2), so that distances T have the magnitude of coordinates; see {@link #parameter}.
- * Neither can then overflow or vanish, whatever the length of the direction and the size of the scene. A ray that starts
+ * largest component into [1, 2), so that distances T have the magnitude of coordinates; see {@link #parameter}. Neither can then overflow or vanish, whatever the length of the direction and the size of the scene. A ray that starts
  * far from the scene is moved up to it in double precision first, so that no digits are lost on the way.
  *
  * <p>There are no branches on the direction: for rays in all directions each would be mispredicted half of the time, and
  * the whole preparation costs no more than one node of the hierarchy.
  *
  * <p><b>Boxes.</b> The parameter at which the ray meets the plane x = b is {@code fma(b, inverseX, -originX * inverseX)}.
- * That is off by the rounding of the origin (2⁻²⁴ |originX| at most) and of the constant (2⁻²⁴ |originX · inverseX|), so
+ * That is off by the rounding of the origin (2⁻²⁴ of it at most) and of the constant (2⁻²⁴ |originX · inverseX|), so
  * the constant of near planes is lowered, and that of far planes raised, by 2⁻²¹ |originX · inverseX|. The error of the
  * inverse and of the sum is relative to the result; kernels raise the far end by {@link #ULPS} units in the last place
  * before they compare. The error of the triangle test is relative to the extent of the triangle; the boxes in the index
@@ -36,9 +35,6 @@ public final class PreparedRay {
     private static final float FAR = 8;
 
     private static final float SLACK = 0x1p-21f;
-
-    /** Scaled origin. */
-    public float originX, originY, originZ;
 
     /** Reciprocals of the scaled direction; never zero, infinite, or not a number, if the direction is proper. */
     public float inverseX, inverseY, inverseZ;

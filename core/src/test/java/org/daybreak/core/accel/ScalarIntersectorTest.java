@@ -45,6 +45,11 @@ class ScalarIntersectorTest {
     }
 
     @Test
+    void improperRaysHitNothing() {
+        checks.improperRaysHitNothing();
+    }
+
+    @Test
     void coincidentTriangles() {
         checks.coincidentTriangles();
     }

@@ -365,6 +365,28 @@ public final class IntersectorChecks {
         }
     }
 
+    /** A ray without a direction, or with one that is not finite, hits nothing. */
+    public void improperRaysHitNothing() {
+        PrimitiveSet set = TestMesh.sphere(20, 30).placed(1, 0, 0, 0);
+        Intersector intersector = provider.build(set, 1);
+        Ray ray = new Ray();
+        double[][] directions = {
+            {0, 0, 0}, {Double.NaN, 1, 0}, {0, Double.POSITIVE_INFINITY, 0}, {1, Double.NEGATIVE_INFINITY, Double.NaN}
+        };
+        for (double[] d : directions) {
+            ray.set(0.1, 0.2, 0.3, d[0], d[1], d[2], Double.POSITIVE_INFINITY);
+            assertFalse(intersector.intersect(ray));
+            assertFalse(intersector.occluded(ray));
+        }
+        for (double length : new double[] {1e-300, 1e-30, 1e30, 1e300}) {
+            ray.set(0.1, 0.2, 0.3, 0, length, 0, Double.POSITIVE_INFINITY);
+            assertTrue(intersector.intersect(ray));
+            assertEquals(0.73, ray.t * length, 0.02);
+            ray.tMax = 0.5 / length;
+            assertFalse(intersector.occluded(ray));
+        }
+    }
+
     /** Thousands of triangles in one place cannot be split by position. */
     public void coincidentTriangles() {
         int count = 5000;
