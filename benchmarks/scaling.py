@@ -25,7 +25,7 @@ IMAGES = os.path.join(ROOT, "docs", "images")
 
 
 def time_per_ray(java, largest):
-    command = [java, "-Xmx12g", "-XX:+UseParallelGC", "-XX:+UseTransparentHugePages", "--add-modules", "jdk.incubator.vector"]
+    command = [java, "-Xmx12g", "-XX:+UseG1GC", "-XX:+UseTransparentHugePages", "--add-modules", "jdk.incubator.vector"]
     command += ["-cp", os.path.join(ROOT, "benchmarks", "target", "benchmarks.jar")]
     command += ["org.daybreak.benchmarks.intersection.ScalingBenchmark", str(int(largest))]
     text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
