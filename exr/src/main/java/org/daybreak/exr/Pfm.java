@@ -28,31 +28,47 @@ public final class Pfm {
      *     for
      */
     public static PfmImage read(Path file) throws ImageFileException {
-        try (FileSource source = FileSource.open(file)) {
-            String magic = token(source);
-            if (!magic.equals("PF") && !magic.equals("Pf")) {
-                throw source.error("is not a PFM file");
-            }
-            int components = magic.equals("PF") ? 3 : 1;
-            int width = size(source, "width");
-            int height = size(source, "height");
-            float scale = scale(source);
-            // The row alone is below 2^35 bytes; dividing avoids a product beyond 2^63.
-            long rowBytes = (long) width * components * Float.BYTES;
-            if (source.remaining() / rowBytes != height || source.remaining() % rowBytes != 0) {
-                throw source.error("the file is truncated or damaged: " + source.remaining() + " bytes are not "
-                        + height + " rows of " + rowBytes + " bytes");
-            }
-            float[] samples = source.newFloats((long) width * height * components);
-            byte[] row = source.newBytes(rowBytes);
-            ByteBuffer bytes = ByteBuffer.wrap(row).order(scale < 0 ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
-            int rowLength = width * components;
-            for (int y = height - 1; y >= 0; y--) {
-                source.read(row, 0, row.length, "a row");
-                bytes.asFloatBuffer().get(samples, y * rowLength, rowLength);
-            }
-            return new PfmImage(width, height, components, samples, Math.abs(scale));
+        try (ImageSource source = ImageSource.open(file)) {
+            return read(source);
         }
+    }
+
+    /**
+     * Reads a file that is in memory.
+     *
+     * @param name what errors are to call the file
+     * @param bytes content of the file
+     * @return the image, rows from top to bottom
+     * @throws ImageFileException as {@link #read(Path)}
+     */
+    public static PfmImage read(String name, byte[] bytes) throws ImageFileException {
+        return read(ImageSource.of(name, bytes));
+    }
+
+    private static PfmImage read(ImageSource source) throws ImageFileException {
+        String magic = token(source);
+        if (!magic.equals("PF") && !magic.equals("Pf")) {
+            throw source.error("is not a PFM file");
+        }
+        int components = magic.equals("PF") ? 3 : 1;
+        int width = size(source, "width");
+        int height = size(source, "height");
+        float scale = scale(source);
+        // The row alone is below 2^35 bytes; dividing avoids a product beyond 2^63.
+        long rowBytes = (long) width * components * Float.BYTES;
+        if (source.remaining() / rowBytes != height || source.remaining() % rowBytes != 0) {
+            throw source.error("the file is truncated or damaged: " + source.remaining() + " bytes are not " + height
+                    + " rows of " + rowBytes + " bytes");
+        }
+        float[] samples = source.newFloats((long) width * height * components);
+        byte[] row = source.newBytes(rowBytes);
+        ByteBuffer bytes = ByteBuffer.wrap(row).order(scale < 0 ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+        int rowLength = width * components;
+        for (int y = height - 1; y >= 0; y--) {
+            source.read(row, 0, row.length, "a row");
+            bytes.asFloatBuffer().get(samples, y * rowLength, rowLength);
+        }
+        return new PfmImage(width, height, components, samples, Math.abs(scale));
     }
 
     /**
@@ -96,7 +112,7 @@ public final class Pfm {
         }
     }
 
-    private static int size(FileSource source, String what) throws ImageFileException {
+    private static int size(ImageSource source, String what) throws ImageFileException {
         String token = token(source);
         try {
             int size = Integer.parseInt(token);
@@ -104,18 +120,18 @@ public final class Pfm {
                 return size;
             }
         } catch (NumberFormatException e) {
-            throw new ImageFileException(source.path(), notNumber(what, token), e);
+            throw source.error(notNumber(what, token), e);
         }
         throw source.error(notNumber(what, token));
     }
 
-    private static float scale(FileSource source) throws ImageFileException {
+    private static float scale(ImageSource source) throws ImageFileException {
         String token = token(source);
         float scale;
         try {
             scale = Float.parseFloat(token);
         } catch (NumberFormatException e) {
-            throw new ImageFileException(source.path(), notNumber("scale", token), e);
+            throw source.error(notNumber("scale", token), e);
         }
         if (!Float.isFinite(scale) || scale == 0) {
             throw source.error(notNumber("scale", token));
@@ -128,7 +144,7 @@ public final class Pfm {
     }
 
     /** Reads one word and the single white-space byte behind it. */
-    private static String token(FileSource source) throws ImageFileException {
+    private static String token(ImageSource source) throws ImageFileException {
         StringBuilder token = new StringBuilder();
         while (true) {
             int value = source.readByte("the header");
