@@ -48,6 +48,18 @@ public final class ExrReader {
     }
 
     /**
+     * Reads the headers of all parts of a file that is in memory.
+     *
+     * @param name what errors are to call the file
+     * @param bytes content of the file
+     * @return the headers in file order, at least one
+     * @throws ImageFileException as {@link #readHeaders(Path)}
+     */
+    public static List<ExrHeader> readHeaders(String name, byte[] bytes) throws ImageFileException {
+        return List.copyOf(HeaderParser.parse(ImageSource.of(name, bytes)).parts());
+    }
+
+    /**
      * Reads the image of a file, on as many threads as there are processors. Of a file with several parts it is the
      * first one.
      *

@@ -1,7 +1,6 @@
 package org.daybreak.exr;
 
 import java.io.IOException;
-import java.io.RandomAccessFile;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -95,20 +94,38 @@ public final class Pfm {
         if ((long) rowLength * Float.BYTES > Integer.MAX_VALUE - 8) {
             throw new ImageFileException(file, "cannot be written: rows of " + image.width() + " pixels are too large");
         }
-        AtomicFiles.write(file, target -> write(target, image, order, rowLength));
+        AtomicFiles.write(file, target -> write(new FileSink(target), image, order, rowLength));
     }
 
-    private static void write(RandomAccessFile target, PfmImage image, ByteOrder order, int rowLength)
-            throws IOException {
+    /**
+     * Writes to memory, in little endian.
+     *
+     * @param name what errors are to call the file
+     * @param image image to write
+     * @return content of the file
+     * @throws ImageFileException if the file does not fit an array
+     */
+    public static byte[] toBytes(String name, PfmImage image) throws ImageFileException {
+        MemorySink sink = new MemorySink();
+        try {
+            write(sink, image, ByteOrder.LITTLE_ENDIAN, Math.multiplyExact(image.width(), image.components()));
+            return sink.toByteArray();
+        } catch (IOException e) {
+            throw new ImageFileException(name, "cannot be written: " + e.getMessage(), e);
+        }
+    }
+
+    private static void write(ByteSink target, PfmImage image, ByteOrder order, int rowLength) throws IOException {
         float scale = order == ByteOrder.LITTLE_ENDIAN ? -image.scale() : image.scale();
         String head = (image.components() == 3 ? "PF" : "Pf") + "\n" + image.width() + " " + image.height() + "\n"
                 + scale + "\n";
-        target.write(head.getBytes(StandardCharsets.US_ASCII));
-        byte[] row = new byte[rowLength * Float.BYTES];
+        byte[] headBytes = head.getBytes(StandardCharsets.US_ASCII);
+        target.write(headBytes, 0, headBytes.length);
+        byte[] row = new byte[Math.multiplyExact(rowLength, Float.BYTES)];
         ByteBuffer bytes = ByteBuffer.wrap(row).order(order);
         for (int y = image.height() - 1; y >= 0; y--) {
             bytes.asFloatBuffer().put(image.samples(), y * rowLength, rowLength);
-            target.write(row);
+            target.write(row, 0, row.length);
         }
     }
 
