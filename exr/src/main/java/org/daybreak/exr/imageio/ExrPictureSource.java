@@ -38,8 +38,7 @@ final class ExrPictureSource implements PictureSource {
                 if (header.channelNames().containsAll(names)) {
                     String alpha = ExrChannel.name(layer, "A");
                     if (header.channelNames().contains(alpha)) {
-                        return Stream.concat(names.stream(), Stream.of(alpha))
-                                .toList();
+                        return Stream.concat(names.stream(), Stream.of(alpha)).toList();
                     }
                     return names;
                 }
@@ -48,8 +47,8 @@ final class ExrPictureSource implements PictureSource {
         if (header.channels().size() == 1) {
             return header.channelNames();
         }
-        throw new IOException("the image has neither the channels R, G and B nor Y, but "
-                + String.join(", ", header.channelNames()));
+        throw new IOException(
+                "the image has neither the channels R, G and B nor Y, but " + String.join(", ", header.channelNames()));
     }
 
     @Override
@@ -70,8 +69,7 @@ final class ExrPictureSource implements PictureSource {
     @Override
     public LinearPicture read() throws IOException {
         int threads = Runtime.getRuntime().availableProcessors();
-        ExrImage image =
-                ExrReader.readParts("the image stream", bytes, threads).get(part);
+        ExrImage image = ExrReader.readParts("the image stream", bytes, threads).get(part);
         int stride = channels.size();
         long count = (long) width() * height() * stride;
         if (count > Integer.MAX_VALUE - 8) {

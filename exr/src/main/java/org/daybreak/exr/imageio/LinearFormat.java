@@ -37,13 +37,12 @@ enum LinearFormat {
 
         @Override
         byte[] encode(LinearPicture picture, String compression) throws IOException {
-            String[] names =
-                    switch (picture.components()) {
-                        case 1 -> new String[] {"Y"};
-                        case 2 -> new String[] {"Y", "A"};
-                        case 3 -> new String[] {"R", "G", "B"};
-                        default -> new String[] {"R", "G", "B", "A"};
-                    };
+            String[] names = switch (picture.components()) {
+                case 1 -> new String[] {"Y"};
+                case 2 -> new String[] {"Y", "A"};
+                case 3 -> new String[] {"R", "G", "B"};
+                default -> new String[] {"R", "G", "B", "A"};
+            };
             ExrImage image = ExrImage.builder(picture.width(), picture.height())
                     .interleavedLayer("", PixelType.FLOAT, picture.samples(), names)
                     .build();
@@ -110,8 +109,7 @@ enum LinearFormat {
         @Override
         byte[] encode(LinearPicture picture, String compression) throws IOException {
             return Pfm.toBytes(
-                    STREAM,
-                    new PfmImage(picture.width(), picture.height(), picture.components(), picture.samples()));
+                    STREAM, new PfmImage(picture.width(), picture.height(), picture.components(), picture.samples()));
         }
 
         @Override

@@ -102,8 +102,7 @@ final class LinearImageReader extends ImageReader {
         PictureSource source = source(imageIndex);
         clearAbortRequest();
         processImageStarted(imageIndex);
-        BufferedImage image =
-                getDestination(param, getImageTypes(imageIndex), source.width(), source.height());
+        BufferedImage image = getDestination(param, getImageTypes(imageIndex), source.width(), source.height());
         checkReadParamBandSettings(
                 param, source.components(), image.getSampleModel().getNumBands());
         Rectangle from = new Rectangle();
@@ -115,7 +114,11 @@ final class LinearImageReader extends ImageReader {
     }
 
     private static void copy(
-            WritableRaster picture, Rectangle from, WritableRaster image, Rectangle to, @Nullable ImageReadParam param) {
+            WritableRaster picture,
+            Rectangle from,
+            WritableRaster image,
+            Rectangle to,
+            @Nullable ImageReadParam param) {
         int xStep = param == null ? 1 : param.getSourceXSubsampling();
         int yStep = param == null ? 1 : param.getSourceYSubsampling();
         int[] fromBands = param == null ? null : param.getSourceBands();

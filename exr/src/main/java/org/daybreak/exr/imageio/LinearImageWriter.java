@@ -111,9 +111,7 @@ final class LinearImageWriter extends ImageWriter {
             return picture;
         }
         Rectangle all = new Rectangle(picture.width(), picture.height());
-        Rectangle region = param.getSourceRegion() == null
-                ? all
-                : all.intersection(param.getSourceRegion());
+        Rectangle region = param.getSourceRegion() == null ? all : all.intersection(param.getSourceRegion());
         int left = region.x + param.getSubsamplingXOffset();
         int top = region.y + param.getSubsamplingYOffset();
         int xStep = param.getSourceXSubsampling();
