@@ -2,21 +2,35 @@ package org.daybreak.exr;
 
 import java.io.IOException;
 import java.util.zip.Deflater;
+import org.jspecify.annotations.Nullable;
 
 /** The codec of {@link Compression#ZIPS} and {@link Compression#ZIP}: {@link BytePredictor}, then deflate. */
 final class DeflateCodec implements ChunkCodec {
-    private final Deflater deflater;
+    /** Up to this level {@link FastDeflate} is used, above it the JDK. */
+    static final int MAX_FAST_LEVEL = 4;
+
+    private final @Nullable Deflater deflater;
+    /** Made when the first chunk is packed: readers have no use for it. */
+    private @Nullable FastDeflate fastDeflate;
+
     private final Inflation inflation = new Inflation();
     private byte[] differences = new byte[0];
 
     DeflateCodec(int level) {
-        deflater = new Deflater(level);
+        deflater = level > MAX_FAST_LEVEL ? new Deflater(level) : null;
     }
 
     @Override
     public int pack(byte[] raw, int rawLength, byte[] packed, int offset) {
         byte[] space = workSpace(rawLength);
         BytePredictor.encode(raw, space, rawLength);
+        if (deflater == null) {
+            if (fastDeflate == null) {
+                fastDeflate = new FastDeflate();
+            }
+            int length = fastDeflate.deflate(space, rawLength, packed, offset);
+            return length < 0 ? NOT_SMALLER : length;
+        }
         deflater.reset();
         deflater.setInput(space, 0, rawLength);
         deflater.finish();
@@ -34,7 +48,9 @@ final class DeflateCodec implements ChunkCodec {
 
     @Override
     public void close() {
-        deflater.end();
+        if (deflater != null) {
+            deflater.end();
+        }
         inflation.close();
     }
 

@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Writes OpenEXR images: one or several parts, each in scan lines or, if its header says so, in tiles with all levels;
- * chunks in increasing order. The bytes of the file depend on the images, the compression and the level alone (and on the
- * JDK's deflate), not on the number of threads.
+ * chunks in increasing order. The bytes of the file depend on the images, the compression and the level alone (above
+ * level 4 also on the JDK's deflate), not on the number of threads.
  */
 public final class ExrWriter {
     /** Attributes that all parts of a file must agree on, as they speak of the whole picture. */

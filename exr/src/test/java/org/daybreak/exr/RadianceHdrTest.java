@@ -57,8 +57,18 @@ class RadianceHdrTest {
     @Test
     void exposureAndCorrectionAreReportedNotApplied() throws IOException {
         HdrImage image = read(
-                "#?RADIANCE\nEXPOSURE=2\n# comment\nEXPOSURE= 0.25\nCOLORCORR= 1 2 3\nVIEW= -vtv\n"
-                        + "COLORCORR=2 1 1\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n",
+                """
+                #?RADIANCE
+                EXPOSURE=2
+                # comment
+                EXPOSURE= 0.25
+                COLORCORR= 1 2 3
+                VIEW= -vtv
+                COLORCORR=2 1 1
+                FORMAT=32-bit_rle_xyze
+
+                -Y 1 +X 1
+                """,
                 128,
                 128,
                 128,

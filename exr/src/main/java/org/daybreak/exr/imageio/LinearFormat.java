@@ -19,7 +19,7 @@ import org.daybreak.exr.RadianceHdr;
 /** The file formats of this plug-in. */
 enum LinearFormat {
     /** OpenEXR. */
-    EXR(List.of("exr", "openexr"), List.of("exr"), "image/x-exr") {
+    EXR("exr,openexr", "exr", "image/x-exr") {
         @Override
         boolean starts(byte[] head) {
             return head[0] == 0x76 && head[1] == 0x2f && head[2] == 0x31 && head[3] == 0x01;
@@ -67,7 +67,7 @@ enum LinearFormat {
         }
     },
     /** Radiance HDR. */
-    HDR(List.of("hdr", "rgbe"), List.of("hdr", "pic"), "image/vnd.radiance") {
+    HDR("hdr,rgbe", "hdr,pic", "image/vnd.radiance") {
         @Override
         boolean starts(byte[] head) {
             return head[0] == '#' && head[1] == '?';
@@ -93,7 +93,7 @@ enum LinearFormat {
         }
     },
     /** Portable float map. */
-    PFM(List.of("pfm"), List.of("pfm"), "image/x-portable-floatmap") {
+    PFM("pfm", "pfm", "image/x-portable-floatmap") {
         @Override
         boolean starts(byte[] head) {
             return head[0] == 'P' && (head[1] == 'F' || head[1] == 'f') && head[2] <= ' ';
@@ -124,11 +124,13 @@ enum LinearFormat {
     /** Bytes that {@link #starts} looks at. */
     static final int HEAD_BYTES = 4;
 
-    private final List<String> names;
-    private final List<String> suffixes;
+    /** Separated by commas, as the suffixes. */
+    private final String names;
+
+    private final String suffixes;
     private final String mimeType;
 
-    LinearFormat(List<String> names, List<String> suffixes, String mimeType) {
+    LinearFormat(String names, String suffixes, String mimeType) {
         this.names = names;
         this.suffixes = suffixes;
         this.mimeType = mimeType;
@@ -136,14 +138,12 @@ enum LinearFormat {
 
     /** Names of the format, also in capitals, as ImageIO compares them letter by letter. */
     String[] names() {
-        List<String> all = new ArrayList<>(names);
-        names.forEach(name -> all.add(name.toUpperCase(Locale.ROOT)));
-        return all.toArray(String[]::new);
+        return (names + "," + names.toUpperCase(Locale.ROOT)).split(",", -1);
     }
 
     /** Endings of file names. */
     String[] suffixes() {
-        return suffixes.toArray(String[]::new);
+        return suffixes.split(",", -1);
     }
 
     /** MIME types. */
