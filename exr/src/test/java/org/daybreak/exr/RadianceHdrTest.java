@@ -56,8 +56,7 @@ class RadianceHdrTest {
 
     @Test
     void exposureAndCorrectionAreReportedNotApplied() throws IOException {
-        HdrImage image = read(
-                """
+        HdrImage image = read("""
                 #?RADIANCE
                 EXPOSURE=2
                 # comment
@@ -68,11 +67,7 @@ class RadianceHdrTest {
                 FORMAT=32-bit_rle_xyze
 
                 -Y 1 +X 1
-                """,
-                128,
-                128,
-                128,
-                129);
+                """, 128, 128, 128, 129);
         assertArrayEquals(new float[] {1, 1, 1}, image.samples());
         assertEquals(0.5, image.exposure());
         assertEquals(List.of(2.0, 2.0, 3.0), image.colorCorrection());
