@@ -290,6 +290,7 @@ class LightTest {
         EmissionSample emission = new EmissionSample();
         EmissionDensity density = new EmissionDensity();
         Spectrum radiance = new Spectrum();
+        LightChoice choice = new LightChoice();
         List<LightCases.Case> cases = cases();
         LightSelection selection = LightSelections.forLights(
                 cases.stream().limit(30).map(LightCases.Case::light).toList());
@@ -310,8 +311,9 @@ class LightTest {
                     light.emissionDensity(emission.point, emission.dx, emission.dy, emission.dz, density);
                     light.radiance(emission.point, emission.dx, emission.dy, emission.dz, radiance);
                 }
-                int chosen = selection.choose(px, 0.5, -1, 0, 1, 0, random.nextDouble());
-                selection.probability(Math.max(0, chosen), px, 0.5, -1, 0, 1, 0);
+                if (selection.choose(px, 0.5, -1, 0, 1, 0, random.nextDouble(), choice)) {
+                    selection.probability(choice.light, px, 0.5, -1, 0, 1, 0);
+                }
                 selection.emissionProbability(selection.chooseForEmission(random.nextDouble()));
             }
         }
