@@ -1,7 +1,6 @@
 package org.daybreak.core.light;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.lang.management.ManagementFactory;
@@ -97,14 +96,14 @@ class LightTest {
             }
             emitted++;
             assertEquals(1, norm(sample.dx, sample.dy, sample.dz), 1e-12);
-            assertEquals(light.isDelta(), sample.deltaPosition);
-            assertFalse(sample.deltaDirection);
+            assertEquals(light.isDelta() && !light.isInfinite(), sample.deltaPosition);
+            assertEquals(light.isDelta() && light.isInfinite(), sample.deltaDirection);
             light.emissionDensity(sample.point, sample.dx, sample.dy, sample.dz, density);
             assertEquals(sample.densityPosition, density.position, 1e-7 * density.position);
             assertEquals(sample.densityDirection, density.direction, 1e-6 * density.direction);
             light.radiance(sample.point, sample.dx, sample.dy, sample.dz, radiance);
             if (light.isDelta()) {
-                assertEquals(1, sample.densityPosition);
+                assertEquals(1, sample.deltaPosition ? sample.densityPosition : sample.densityDirection);
                 assertTrue(radiance.isBlack());
                 continue;
             }
