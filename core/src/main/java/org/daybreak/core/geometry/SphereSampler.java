@@ -1,5 +1,6 @@
 package org.daybreak.core.geometry;
 
+import org.daybreak.core.math.Bounds;
 import org.daybreak.core.math.Transform;
 import org.daybreak.core.math.Turns;
 import org.daybreak.core.sampling.Warps;
@@ -227,5 +228,11 @@ final class SphereSampler implements SurfaceSampler {
             }
         }
         return UNIT_SPHERE_AREA * sum / rows / columns;
+    }
+
+    @Override
+    public EmissionBounds bounds() {
+        Bounds box = new Bounds(-1, -1, -1, 1, 1, 1).transform(toWorld);
+        return EmissionBounds.everywhere(box, area / 4);
     }
 }
