@@ -5,6 +5,8 @@ import java.util.List;
 import javax.vecmath.Color3f;
 import javax.vecmath.Vector3d;
 import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.geometry.Cube;
+import org.daybreak.core.geometry.Rectangle;
 import org.daybreak.core.geometry.SurfaceCase;
 import org.daybreak.core.math.Transform;
 
@@ -27,7 +29,12 @@ final class LightCases {
         cases.addAll(area(false));
         cases.addAll(area(true));
         cases.addAll(points());
+        Transform place = Transform.translate(0.4, 0.3, -0.2).multiply(TURN);
+        TestTexture pattern = new TestTexture(3, 2, 1, true);
+        cases.add(new Case("patterned rectangle", AreaLight.of(new Rectangle(), place, false, 0, pattern, 7)));
+        cases.add(new Case("patterned cube", AreaLight.of(new Cube(), place, false, 100, pattern, 7)));
         cases.add(directional());
+        cases.add(new Case("setting sun", sun(0.05, 20)));
         cases.addAll(infinite());
         return cases;
     }
@@ -67,7 +74,6 @@ final class LightCases {
                 new Case("sky", sky(SkySettings.Kind.HOSEK_WILKIE, 0.5)),
                 new Case("Preetham's sky", sky(SkySettings.Kind.PREETHAM, 0.1)),
                 new Case("sun", sun(0.5, 20)),
-                new Case("setting sun", sun(0.05, 20)),
                 new Case("panorama", environment(panorama(8, 5), TURN)),
                 new Case(
                         "panorama with shear",
