@@ -286,7 +286,7 @@ class SceneReaderTest {
             {"perspective", "<float name='principal_point_offset_x' value='0.2'/>", "tent", "PERSPECTIVE", "TENT"}
         }) {
             Path file = SceneTexts.write(
-                    folder, "camera.xml", "<scene version='3.0.0'>" + String.format(sensor, row) + "</scene>");
+                    folder, "camera.xml", "<scene version='3.0.0'>" + String.format(sensor, row[0], row[1], row[2]) + "</scene>");
             SceneFile scene = new SceneReader(new StandardImageLoader()).load(file, Map.of());
             CameraSettings camera = Objects.requireNonNull(scene.graph().camera());
             assertEquals(row[3], camera.projection().name());

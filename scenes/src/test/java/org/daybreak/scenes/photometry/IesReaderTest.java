@@ -45,7 +45,7 @@ class IesReaderTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "0 45 90|0 45 x5|line 5: 'x5' is no vertical angle",
+                "0 45 90|0 45 x5|line 7: 'x5' is no vertical angle",
                 "0 45 90|0 90 45|vertical angles must ascend",
                 "0 90|10 90|horizontal angles must go from 0",
                 "20|-20|must not be negative",
@@ -59,7 +59,7 @@ class IesReaderTest {
         String body = BODY.replace(from, to);
         IOException e = assertThrows(IOException.class, () -> IesReader.parse(HEADER + "TILT=NONE\n" + body));
         String text = String.valueOf(e.getMessage());
-        assertTrue(text.startsWith("line ") && text.contains(message.replaceAll("line \\d+: ", "")), text);
+        assertTrue(text.startsWith("line ") && text.contains(message), text);
     }
 
     @Test
