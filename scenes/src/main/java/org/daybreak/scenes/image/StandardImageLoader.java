@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.awt.image.ComponentColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.Raster;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Iterator;
@@ -29,7 +30,17 @@ public final class StandardImageLoader implements ImageLoader {
 
     @Override
     public LoadedImage load(Path file) throws IOException {
-        try (ImageInputStream stream = ImageIO.createImageInputStream(file.toFile())) {
+        return load(file.toFile());
+    }
+
+    @Override
+    public LoadedImage load(byte[] content, String ending) throws IOException {
+        return load(new ByteArrayInputStream(content));
+    }
+
+    /** Reads from what ImageIO can read from. */
+    private static LoadedImage load(Object source) throws IOException {
+        try (ImageInputStream stream = ImageIO.createImageInputStream(source)) {
             if (stream == null) {
                 throw new IOException("the file cannot be opened");
             }
