@@ -17,6 +17,7 @@ import org.daybreak.scenes.description.SceneDescription;
 import org.daybreak.scenes.description.SourceLocation;
 import org.daybreak.scenes.description.Value;
 import org.daybreak.scenes.image.ImageLoader;
+import org.daybreak.scenes.model.ModelReader;
 import org.jspecify.annotations.Nullable;
 
 /** What all builders of one scene share: the description, the problems, images, and which objects are being built. */
@@ -161,6 +162,11 @@ final class BuildContext {
     /** The scene's main object. */
     ObjectDescription root() {
         return description.root();
+    }
+
+    /** Whether the description is that of a model, which gets camera and light elsewhere. */
+    boolean isModel() {
+        return description.root().type().equals(ModelReader.MODEL);
     }
 
     static String article(ObjectKind kind) {

@@ -11,6 +11,7 @@ import org.daybreak.scenes.description.SourceLocation;
 import org.daybreak.scenes.mesh.MeshFormatException;
 import org.daybreak.scenes.mesh.ObjReader;
 import org.daybreak.scenes.mesh.PlyReader;
+import org.daybreak.scenes.mesh.StlReader;
 import org.daybreak.scenes.mesh.VertexNormals;
 import org.daybreak.scenes.mesh.ZeroAreaTriangles;
 import org.jspecify.annotations.Nullable;
@@ -35,7 +36,7 @@ final class MeshBuilder {
     }
 
     /**
-     * The mesh of a shape of type obj or ply.
+     * The mesh of a shape of a mesh type.
      *
      * @param toWorld where it goes; computed normals depend on it as Mitsuba computes them in world space
      * @return null after an error that has been reported
@@ -46,12 +47,12 @@ final class MeshBuilder {
         if (file == null) {
             return null;
         }
-        boolean obj = p.object().type().equals("obj");
-        boolean flip = p.truth("flip_tex_coords");
-        String key = obj + " " + flip + " " + file.toAbsolutePath().normalize();
+        String type = p.object().type();
+        boolean flip = !type.equals("stl") && p.truth("flip_tex_coords");
+        String key = type + " " + flip + " " + file.toAbsolutePath().normalize();
         TriangleMesh mesh = read.get(key);
         if (mesh == null) {
-            mesh = read(file, obj, flip, p.location("filename"));
+            mesh = read(file, type, flip, p.location("filename"));
             if (mesh == null) {
                 return null;
             }
@@ -102,9 +103,13 @@ final class MeshBuilder {
         return n;
     }
 
-    private @Nullable TriangleMesh read(Path file, boolean obj, boolean flip, SourceLocation usedAt) {
+    private @Nullable TriangleMesh read(Path file, String type, boolean flip, SourceLocation usedAt) {
         try {
-            TriangleMesh mesh = obj ? ObjReader.read(file, flip) : PlyReader.read(file, flip);
+            TriangleMesh mesh = switch (type) {
+                case "obj" -> ObjReader.read(file, flip);
+                case "ply" -> PlyReader.read(file, flip);
+                default -> StlReader.read(file);
+            };
             TriangleMesh solid = ZeroAreaTriangles.removedFrom(mesh);
             int removed = mesh.triangleCount() - solid.triangleCount();
             if (solid.triangleCount() == 0) {

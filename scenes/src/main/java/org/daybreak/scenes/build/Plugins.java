@@ -12,11 +12,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.daybreak.scenes.description.ObjectKind;
+import org.daybreak.scenes.model.ModelReader;
 import org.jspecify.annotations.Nullable;
 
 /** The table of all types of objects that scene files may contain. Defaults are those of Mitsuba 3.9. */
 public final class Plugins {
-    private static final int MANY = Integer.MAX_VALUE;
+    static final int MANY = Integer.MAX_VALUE;
     private static final String NO_EFFECT = "Accepted, has no effect.";
     private static final List<PluginDefinition> ALL = all();
     private static final Map<ObjectKind, Map<String, PluginDefinition>> BY_KIND = byKind();
@@ -43,14 +44,15 @@ public final class Plugins {
         for (PluginDefinition p : ALL) {
             map.computeIfAbsent(p.kind(), k -> new LinkedHashMap<>()).put(p.type(), p);
         }
+        map.computeIfAbsent(ObjectKind.SCENE, k -> new LinkedHashMap<>()).put(ModelReader.MODEL, model());
         return map;
     }
 
-    private static PluginDefinition plugin(ObjectKind kind, String type, String doc, PropertyDefinition... properties) {
+    static PluginDefinition plugin(ObjectKind kind, String type, String doc, PropertyDefinition... properties) {
         return new PluginDefinition(kind, type, doc, Arrays.asList(properties));
     }
 
-    private static PropertyDefinition[] join(List<PropertyDefinition> shared, PropertyDefinition... own) {
+    static PropertyDefinition[] join(List<PropertyDefinition> shared, PropertyDefinition... own) {
         List<PropertyDefinition> list = new ArrayList<>(Arrays.asList(own));
         list.addAll(shared);
         return list.toArray(new PropertyDefinition[0]);
@@ -63,7 +65,7 @@ public final class Plugins {
         addSensors(list);
         addFilms(list);
         addSamplers(list);
-        addShapes(list);
+        ShapePlugins.addTo(list);
         addBsdfs(list);
         addTextures(list);
         addEmitters(list);
@@ -81,6 +83,16 @@ public final class Plugins {
                 objects(ObjectKind.EMITTER, 0, MANY, "Lights that are not on a shape."),
                 objects(ObjectKind.BSDF, 0, MANY, "Materials to refer to."),
                 objects(ObjectKind.TEXTURE, 0, MANY, "Textures to refer to."));
+    }
+
+    /** The root of a model's description; files do not name it. */
+    private static PluginDefinition model() {
+        return plugin(
+                ObjectKind.SCENE,
+                ModelReader.MODEL,
+                "A model without camera and light.",
+                objects(ObjectKind.SHAPE, 0, MANY, "Geometry."),
+                objects(ObjectKind.BSDF, 0, MANY, "Materials to refer to."));
     }
 
     private static void addIntegrators(List<PluginDefinition> list) {
@@ -218,78 +230,6 @@ public final class Plugins {
                     optional("jitter", ValueType.BOOLEAN, NO_EFFECT),
                     optional("strength", ValueType.INTEGER, NO_EFFECT)));
         }
-    }
-
-    private static void addShapes(List<PluginDefinition> list) {
-        List<PropertyDefinition> common = List.of(
-                optional("to_world", ValueType.TRANSFORM, "Shape to world."),
-                value("flip_normals", ValueType.BOOLEAN, "false", "Exchanges front and back."),
-                objects(
-                        ObjectKind.BSDF,
-                        0,
-                        1,
-                        "Material; diffuse with reflectance 0.5 if there is none, 0 on a shape that emits."),
-                objects(ObjectKind.EMITTER, 0, 1, "Makes the shape a light."));
-        PropertyDefinition file =
-                optional("filename", ValueType.FILE, "The file.").asRequired();
-        PropertyDefinition faceNormals = value(
-                "face_normals",
-                ValueType.BOOLEAN,
-                "false",
-                "Flat triangles. Otherwise normals are those of the file or, if it has none, computed.");
-        list.add(plugin(
-                ObjectKind.SHAPE,
-                "obj",
-                "Wavefront OBJ mesh.",
-                join(
-                        common,
-                        file,
-                        faceNormals,
-                        value(
-                                "flip_tex_coords",
-                                ValueType.BOOLEAN,
-                                "true",
-                                "Turns v into 1 - v, as images start at the top."))));
-        list.add(plugin(
-                ObjectKind.SHAPE,
-                "ply",
-                "PLY mesh, ASCII or binary.",
-                join(
-                        common,
-                        file,
-                        faceNormals,
-                        value("flip_tex_coords", ValueType.BOOLEAN, "false", "Turns v into 1 - v."))));
-        list.add(plugin(
-                ObjectKind.SHAPE,
-                "sphere",
-                "Sphere.",
-                join(
-                        common,
-                        value("center", ValueType.POINT, "0, 0, 0", "Centre."),
-                        value("radius", ValueType.FLOAT, "1", "Radius.").positive())));
-        list.add(plugin(ObjectKind.SHAPE, "rectangle", "Square [-1, 1]² in z = 0, normal +z.", join(common)));
-        list.add(plugin(ObjectKind.SHAPE, "disk", "Unit disk in z = 0, normal +z.", join(common)));
-        list.add(plugin(ObjectKind.SHAPE, "cube", "Cube [-1, 1]³, normals outwards.", join(common)));
-        list.add(plugin(
-                ObjectKind.SHAPE,
-                "cylinder",
-                "Cylinder without caps, normal outwards.",
-                join(
-                        common,
-                        value("p0", ValueType.POINT, "0, 0, 0", "Centre of one end."),
-                        value("p1", ValueType.POINT, "0, 0, 1", "Centre of the other end."),
-                        value("radius", ValueType.FLOAT, "1", "Radius.").positive())));
-        list.add(plugin(
-                ObjectKind.SHAPE,
-                "shapegroup",
-                "Shapes that only appear through instances.",
-                objects(ObjectKind.SHAPE, 1, MANY, "The shapes.")));
-        list.add(plugin(
-                ObjectKind.SHAPE,
-                "instance",
-                "Appearance of a shapegroup; its geometry is stored once.",
-                optional("to_world", ValueType.TRANSFORM, "Group to world."),
-                objects(ObjectKind.SHAPE, 1, 1, "The shapegroup, usually by reference.")));
     }
 
     private static void addBsdfs(List<PluginDefinition> list) {

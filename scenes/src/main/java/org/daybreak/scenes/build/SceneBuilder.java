@@ -126,7 +126,7 @@ public final class SceneBuilder {
         for (Properties.Child child : scene.children(ObjectKind.SHAPE)) {
             shapes.addTo(graph.root(), child.object(), child.location());
         }
-        if (shapes.lights() == 0 && scene.children(ObjectKind.EMITTER).isEmpty()) {
+        if (shapes.lights() == 0 && scene.children(ObjectKind.EMITTER).isEmpty() && !context.isModel()) {
             context.warning(scene.location(), "the scene has no light; the picture will be black");
         }
     }
