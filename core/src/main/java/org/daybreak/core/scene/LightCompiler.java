@@ -7,6 +7,7 @@ import org.daybreak.core.geometry.SurfaceSampler;
 import org.daybreak.core.geometry.SurfaceSamplers;
 import org.daybreak.core.light.AreaLight;
 import org.daybreak.core.light.ConstantEnvironment;
+import org.daybreak.core.light.DirectionalLight;
 import org.daybreak.core.light.ImageEnvironment;
 import org.daybreak.core.light.Light;
 import org.daybreak.core.light.PointLight;
@@ -48,6 +49,11 @@ final class LightCompiler {
         double y = scene.isEmpty() ? 0 : scene.centerY();
         double z = scene.isEmpty() ? 0 : scene.centerZ();
         double radius = scene.boundingSphereRadius();
+        if (source instanceof LightSource.Directional directional) {
+            double[] d = new double[3];
+            toWorld.applyVector(0, 0, 1, d);
+            return new DirectionalLight(d[0], d[1], d[2], spectrum(directional.irradiance()), x, y, z, radius);
+        }
         if (source instanceof LightSource.ConstantEnvironment constant) {
             return new ConstantEnvironment(spectrum(constant.radiance()), x, y, z, radius);
         }

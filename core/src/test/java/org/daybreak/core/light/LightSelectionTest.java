@@ -1,6 +1,7 @@
 package org.daybreak.core.light;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -51,6 +52,7 @@ class LightSelectionTest {
         RandomStream random = new RandomStream(1, StreamDomain.SELF_CHECK, 0, 0);
         List<Light> lights = lights();
         LightSelection[] selections = {new ImportanceLightSelection(lights), new PowerLightSelection(lights)};
+        LightChoice choice = new LightChoice();
         int points = 10;
         for (LightSelection selection : selections) {
             for (int k = 0; k < points; k++) {
@@ -67,7 +69,10 @@ class LightSelectionTest {
                 }
                 assertEquals(1, sum, 1e-12);
                 for (int i = 0; i < samples; i++) {
-                    counts[selection.choose(p[0], p[1], p[2], 0, ny, 0, random.nextDouble())]++;
+                    assertTrue(selection.choose(p[0], p[1], p[2], 0, ny, 0, random.nextDouble(), choice));
+                    counts[choice.light]++;
+                    assertEquals(
+                            selection.probability(choice.light, p[0], p[1], p[2], 0, ny, 0), choice.probability, 0.0);
                 }
                 for (int i = 0; i < counts.length; i++) {
                     assertTrue(expected[i] > 0 || counts[i] == 0);
@@ -156,21 +161,27 @@ class LightSelectionTest {
     @Test
     void nothingIsChosenFromNothing() {
         LightSelection none = LightSelections.forLights(List.of());
-        assertEquals(-1, none.choose(0, 0, 0, 0, 0, 1, 0.5));
+        LightChoice choice = new LightChoice();
+        assertFalse(none.choose(0, 0, 0, 0, 0, 1, 0.5, choice));
+        assertFalse(new PowerLightSelection(List.of()).choose(0, 0, 0, 0, 0, 1, 0.5, choice));
         assertEquals(-1, none.chooseForEmission(0.5));
         // Lights behind the horizon cannot reach the point.
         LightSelection two = LightSelections.forLights(List.of(
                 new PointLight(0, 0, -1, new Spectrum(1, 1, 1)), new PointLight(1, 0, -1, new Spectrum(1, 1, 1))));
-        assertEquals(-1, two.choose(0, 0, 0, 0, 0, 1, 0.5));
+        assertFalse(two.choose(0, 0, 0, 0, 0, 1, 0.5, choice));
         assertEquals(0, two.probability(0, 0, 0, 0, 0, 0, 1));
-        assertEquals(1, two.choose(0, 0, 0, 0, 0, -1, 0.999));
+        assertTrue(two.choose(0, 0, 0, 0, 0, -1, 0.999, choice));
+        assertEquals(1, choice.light);
         assertEquals(1, two.probability(0, 0, 0, 0, 0, 0, -1) + two.probability(1, 0, 0, 0, 0, 0, -1), 1e-15);
     }
 
     @Test
     void aSingleLightIsAlwaysChosen() {
         LightSelection one = LightSelections.forLights(List.of(new PointLight(0, 0, -1, new Spectrum(1, 1, 1))));
-        assertEquals(0, one.choose(0, 0, 0, 0, 0, 1, 0.5));
+        LightChoice choice = new LightChoice();
+        assertTrue(one.choose(0, 0, 0, 0, 0, 1, 0.5, choice));
+        assertEquals(0, choice.light);
+        assertEquals(1, choice.probability);
         assertEquals(1, one.probability(0, 0, 0, 0, 0, 0, 1));
     }
 
