@@ -28,6 +28,10 @@ public final class InputFormats {
                         "Mitsuba 3 XML",
                         List.of("xml"),
                         "Scenes, with <default>, <include>, <ref> and transforms; the types of objects are listed below."),
+                new Format(
+                        "glTF 2.0",
+                        List.of("gltf", "glb"),
+                        "Scenes, text and binary; camera and light are added where there are none."),
                 new Format("Wavefront OBJ", List.of("obj"), "Polygon meshes; materials are not read."),
                 new Format("PLY", List.of("ply"), "Polygon meshes; ASCII and binary of both byte orders."),
                 new Format("STL", List.of("stl"), "Triangle meshes, flat; ASCII and binary."));

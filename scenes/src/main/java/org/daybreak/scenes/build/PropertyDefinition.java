@@ -81,6 +81,7 @@ public record PropertyDefinition(
             case STRING -> "a string";
             case CHOICE -> "one of " + String.join(", ", choices);
             case FILE -> "a file name";
+            case MESH -> "a mesh";
             case POINT -> "a point";
             case REFRACTIVE_INDEX -> "a float greater than 0 or the name of a substance";
             case COLOR -> "an rgb or a float";

@@ -12,10 +12,13 @@ import org.daybreak.core.light.RadianceMap;
 import org.daybreak.core.material.BitmapTexture;
 import org.daybreak.core.material.CheckerboardTexture;
 import org.daybreak.core.material.ConstantTexture;
+import org.daybreak.core.material.ProductTexture;
 import org.daybreak.core.material.Texture;
 import org.daybreak.core.material.TextureImage;
+import org.daybreak.core.material.ThresholdTexture;
 import org.daybreak.scenes.description.ObjectDescription;
 import org.daybreak.scenes.description.SourceLocation;
+import org.daybreak.scenes.description.Value;
 import org.daybreak.scenes.image.ImageLoader;
 import org.daybreak.scenes.image.LoadedImage;
 import org.jspecify.annotations.Nullable;
@@ -26,7 +29,18 @@ final class TextureBuilder {
 
     private final BuildContext context;
     private final IdentityHashMap<ObjectDescription, Texture> built = new IdentityHashMap<>();
-    private final Map<String, TextureImage> images = new HashMap<>();
+    private final Map<ImageKey, TextureImage> images = new HashMap<>();
+    /** The embedded image that was read last: the next texture often uses another channel of it. */
+    private byte @Nullable [] lastContent;
+
+    private @Nullable LoadedImage lastImage;
+
+    /**
+     * What of an image is used, and how.
+     *
+     * @param source the file's path, or the array that holds the content, which is its own identity
+     */
+    private record ImageKey(Object source, boolean raw, String channel) {}
 
     TextureBuilder(BuildContext context) {
         this.context = context;
@@ -73,6 +87,12 @@ final class TextureBuilder {
         if (object.type().equals("checkerboard")) {
             return new CheckerboardTexture(texture(p, "color0"), texture(p, "color1"), uvTransform(p));
         }
+        if (object.type().equals("product")) {
+            return new ProductTexture(texture(p, "first"), texture(p, "second"));
+        }
+        if (object.type().equals("threshold")) {
+            return new ThresholdTexture(texture(p, "value"), p.number("cutoff"));
+        }
         TextureImage image = image(p);
         if (image == null) {
             return null;
@@ -94,16 +114,21 @@ final class TextureBuilder {
     }
 
     private @Nullable TextureImage image(Properties p) {
-        Path file = p.has("filename") ? context.file(p.text("filename"), p.location("filename")) : null;
-        if (file == null) {
+        Value.Content content = p.content("filename");
+        SourceLocation location = p.location("filename");
+        Path file = content != null || !p.has("filename") ? null : context.file(p.text("filename"), location);
+        if (file == null && content == null) {
             return null;
         }
         boolean raw = p.truth("raw");
-        String key = raw + " " + file.toAbsolutePath().normalize();
+        String channel = p.text("channel");
+        ImageKey key = new ImageKey(
+                file == null ? content.bytes() : file.toAbsolutePath().normalize(), raw, channel);
         TextureImage known = images.get(key);
         if (known == null) {
-            LoadedImage loaded = load(file, p.location("filename"));
-            known = loaded == null ? null : textureImage(loaded, raw, file, p.location("filename"));
+            String name = file == null ? content.name() : file.toString();
+            LoadedImage loaded = file == null ? load(content, location) : load(file, location);
+            known = loaded == null ? null : textureImage(loaded, raw, channel, name, location);
             if (known != null) {
                 images.put(key, known);
             }
@@ -111,18 +136,22 @@ final class TextureBuilder {
         return known;
     }
 
-    private @Nullable TextureImage textureImage(LoadedImage loaded, boolean raw, Path file, SourceLocation location) {
+    private @Nullable TextureImage textureImage(
+            LoadedImage loaded, boolean raw, String channel, String name, SourceLocation location) {
         try {
-            if (loaded instanceof LoadedImage.Bytes b) {
-                return raw
+            LoadedImage used = channel.equals("all") ? loaded : loaded.channel("rgba".indexOf(channel));
+            // Opacity is never encoded.
+            boolean linear = raw || channel.equals("a");
+            if (used instanceof LoadedImage.Bytes b) {
+                return linear
                         ? TextureImage.fromRawBytes(b.width(), b.height(), b.channels(), b.samples())
                         : TextureImage.fromSrgbBytes(b.width(), b.height(), b.channels(), b.samples());
             }
-            LoadedImage.Floats f = (LoadedImage.Floats) loaded;
-            float[] samples = f.encoded() && !raw ? decoded(f.samples()) : f.samples();
+            LoadedImage.Floats f = (LoadedImage.Floats) used;
+            float[] samples = f.encoded() && !linear ? decoded(f.samples()) : f.samples();
             return TextureImage.fromFloats(f.width(), f.height(), f.channels(), samples);
         } catch (IllegalArgumentException e) {
-            context.error(location, "cannot use " + file + ": " + e.getMessage());
+            context.error(location, "cannot use " + name + ": " + e.getMessage());
             return null;
         }
     }
@@ -168,15 +197,26 @@ final class TextureBuilder {
         return linear;
     }
 
+    private @Nullable LoadedImage load(Value.Content content, SourceLocation location) {
+        if (content.bytes() == lastContent) {
+            return lastImage;
+        }
+        if (!isKnown(content.ending(), location)) {
+            return null;
+        }
+        try {
+            LoadedImage image = context.images().load(content.bytes(), content.ending());
+            lastContent = content.bytes();
+            lastImage = image;
+            return image;
+        } catch (IOException e) {
+            context.error(location, "cannot read " + content.name() + ": " + e.getMessage());
+            return null;
+        }
+    }
+
     private @Nullable LoadedImage load(Path file, SourceLocation location) {
-        String ending = ImageLoader.ending(file);
-        if (!context.images().endings().contains(ending)) {
-            context.error(
-                    location,
-                    "images of type '" + ending + "' cannot be read; known: "
-                            + String.join(
-                                    ", ",
-                                    context.images().endings().stream().sorted().toList()));
+        if (!isKnown(ImageLoader.ending(file), location)) {
             return null;
         }
         try {
@@ -185,5 +225,17 @@ final class TextureBuilder {
             context.error(location, "cannot read " + file + ": " + e.getMessage());
             return null;
         }
+    }
+
+    private boolean isKnown(String ending, SourceLocation location) {
+        if (context.images().endings().contains(ending)) {
+            return true;
+        }
+        context.error(
+                location,
+                "images of type '" + ending + "' cannot be read; known: "
+                        + String.join(
+                                ", ", context.images().endings().stream().sorted().toList()));
+        return false;
     }
 }

@@ -20,11 +20,16 @@ final class TexturePlugins {
         list.add(plugin(
                 ObjectKind.TEXTURE,
                 "bitmap",
-                "Image file; its first row is at v = 0. Alpha is dropped.",
+                "Image file; its first row is at v = 0. Opacity is only used as channel a.",
                 optional("filename", ValueType.FILE, "The file.").asRequired(),
                 choice("filter_type", "bilinear", List.of("bilinear", "nearest"), "Interpolation."),
                 choice("wrap_mode", "repeat", List.of("repeat", "mirror", "clamp"), "What lies outside the image."),
                 value("raw", ValueType.BOOLEAN, "false", "Takes values of 8 and 16 bits as linear instead of sRGB."),
+                choice(
+                        "channel",
+                        "all",
+                        List.of("all", "r", "g", "b", "a"),
+                        "Takes one channel as a grey image; a is opacity, which is linear."),
                 toUv,
                 optional("format", ValueType.STRING, NO_EFFECT),
                 optional("accel", ValueType.BOOLEAN, NO_EFFECT)));
@@ -35,5 +40,17 @@ final class TexturePlugins {
                 value("color0", ValueType.TEXTURED_EMISSION, "0.4", "Colour of the square at (0, 0)."),
                 value("color1", ValueType.TEXTURED_EMISSION, "0.2", "The other colour."),
                 toUv));
+        list.add(plugin(
+                ObjectKind.TEXTURE,
+                "product",
+                "Product of two textures, component by component.",
+                value("first", ValueType.TEXTURED_EMISSION, "1", "The one factor."),
+                value("second", ValueType.TEXTURED_EMISSION, "1", "The other factor.")));
+        list.add(plugin(
+                ObjectKind.TEXTURE,
+                "threshold",
+                "1 where a texture reaches a cutoff, 0 elsewhere: for cut-out shapes.",
+                value("value", ValueType.TEXTURED_EMISSION, "1", "The texture; of colours the luminance counts."),
+                value("cutoff", ValueType.FLOAT, "0.5", "Smallest value that gives 1.")));
     }
 }

@@ -24,7 +24,18 @@ record Geometry(
         float @Nullable [] colors) {
     /** The mesh of the engine. */
     TriangleMesh toMesh() {
-        return new TriangleMesh(positions, triangles, normals, uv0);
+        return new TriangleMesh(positions, triangles, normals, uv0, uv1, rgb());
+    }
+
+    private float @Nullable [] rgb() {
+        if (colors == null) {
+            return null;
+        }
+        float[] rgb = new float[colors.length / 4 * 3];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = colors[i / 3 * 4 + i % 3];
+        }
+        return rgb;
     }
 
     /** True if a vertex is not opaque. */

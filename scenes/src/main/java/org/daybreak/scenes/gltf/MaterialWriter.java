@@ -23,6 +23,11 @@ final class MaterialWriter {
     /** {@code anisotropic} a makes the square of the aspect of highlights 1 − 0.9 a. */
     private static final double ASPECT_RANGE = 0.9;
 
+    /** Stand for reflectances at normal incidence of 0 and 1. */
+    private static final double SMALLEST_INDEX = 1.0001;
+
+    private static final double LARGEST_INDEX = 1000;
+
     private final JsonValue material;
     private final JsonValue pbr;
     private final Geometry geometry;
@@ -78,7 +83,9 @@ final class MaterialWriter {
     }
 
     private @Nullable ObjectDescription vertexColor() {
-        return geometry.colors() == null ? null : object(ObjectKind.TEXTURE, "vertexcolor").build();
+        return geometry.colors() == null ? null : object(ObjectKind.TEXTURE, "mesh_attribute")
+                        .text("name", "vertex_color")
+                        .build();
     }
 
     /** Product of a colour and up to two textures. */
@@ -142,27 +149,50 @@ final class MaterialWriter {
     private ObjectDescription surface(Value baseColor) throws GltfException {
         JsonValue transmission = extension("transmission");
         double transmitted = transmission == null ? 0 : transmission.number("transmissionFactor", 0, 0, 1);
-        Value color = baseColor;
-        ObjectBuilder principled = object(ObjectKind.BSDF, "principled");
-        if (transmission != null && transmitted > 0) {
-            principled.value(
-                    "spec_trans", scaled(transmitted, texture(transmission, "transmissionTexture", Channel.RED)));
-            color = absorbed(baseColor);
+        if (transmission == null || transmitted == 0) {
+            ObjectBuilder opaque = object(ObjectKind.BSDF, "principled").value("base_color", baseColor);
+            addMetal(opaque);
+            addCommon(opaque, false);
+            addClearcoat(opaque);
+            return object(ObjectKind.BSDF, "twosided")
+                    .nested(normalMapped(opaque.build()))
+                    .build();
         }
-        principled.value("base_color", color);
-        ObjectDescription metal = texture(pbr, "metallicRoughnessTexture", Channel.BLUE);
-        ObjectDescription rough = texture(pbr, "metallicRoughnessTexture", Channel.GREEN);
-        principled.value("metallic", scaled(pbr.number("metallicFactor", 1, 0, 1), metal));
-        double roughness = pbr.number("roughnessFactor", 1, 0, 1);
-        roughness = addAnisotropy(principled, roughness);
-        principled.value("roughness", scaled(roughness, rough));
-        principled.number("eta", refractiveIndex(transmitted > 0));
-        addClearcoat(principled);
+        Value share = scaled(transmitted, texture(transmission, "transmissionTexture", Channel.RED));
+        JsonValue volume = extension("volume");
+        if (volume != null && volume.number("thicknessFactor", 0, 0, Double.MAX_VALUE) > 0) {
+            ObjectBuilder glass = object(ObjectKind.BSDF, "principled").value("base_color", absorbed(baseColor, volume));
+            addMetal(glass);
+            addCommon(glass, true);
+            addClearcoat(glass);
+            return normalMapped(glass.value("spec_trans", share).build());
+        }
+        // Without a volume behind it the surface is a sheet (KHR_materials_transmission).
+        if (pbr.number("metallicFactor", 1, 0, 1) > 0 && pbr.find("metallicRoughnessTexture") == null) {
+            report.warning(material, "transmits light, so that its metallicFactor is ignored");
+        }
+        if (extension("clearcoat") != null) {
+            report.warning(material, "transmits light without a volume, so that its clearcoat is ignored");
+        }
+        ObjectBuilder sheet = object(ObjectKind.BSDF, "principledthin").value("base_color", baseColor);
+        addCommon(sheet, true);
+        return normalMapped(sheet.value("spec_trans", share).build());
+    }
+
+    private void addMetal(ObjectBuilder principled) throws GltfException {
+        principled.value(
+                "metallic",
+                scaled(
+                        pbr.number("metallicFactor", 1, 0, 1),
+                        texture(pbr, "metallicRoughnessTexture", Channel.BLUE)));
+    }
+
+    /** What surfaces with and without a volume behind them have in common. */
+    private void addCommon(ObjectBuilder principled, boolean refracts) throws GltfException {
+        double roughness = addAnisotropy(principled, pbr.number("roughnessFactor", 1, 0, 1));
+        principled.value("roughness", scaled(roughness, texture(pbr, "metallicRoughnessTexture", Channel.GREEN)));
+        principled.number("eta", refractiveIndex(refracts));
         addSheen(principled);
-        ObjectDescription bsdf = normalMapped(principled.build());
-        return transmitted > 0
-                ? bsdf
-                : object(ObjectKind.BSDF, "twosided").nested(bsdf).build();
     }
 
     /** KHR_materials_ior with KHR_materials_specular folded into it where nothing is refracted. */
@@ -195,25 +225,17 @@ final class MaterialWriter {
         return Math.min(LARGEST_INDEX, Math.max(SMALLEST_INDEX, (1 + reflectance) / (1 - reflectance)));
     }
 
-    private static final double SMALLEST_INDEX = 1.0001;
-    private static final double LARGEST_INDEX = 100;
-
     /**
      * KHR_materials_volume: what is absorbed on a way of the stated thickness goes into the colour of the transmission, which
      * counts once on the way in and out together.
      */
-    private Value absorbed(Value baseColor) throws GltfException {
-        JsonValue volume = extension("volume");
-        if (volume == null) {
+    private Value absorbed(Value baseColor, JsonValue volume) throws GltfException {
+        double[] color = volume.numbersBetween("attenuationColor", 0, 1, WHITE);
+        if (volume.find("attenuationDistance") == null) {
             return baseColor;
         }
         double thickness = volume.number("thicknessFactor", 0, 0, Double.MAX_VALUE);
-        JsonValue distanceValue = volume.find("attenuationDistance");
-        double[] color = volume.numbersBetween("attenuationColor", 0, 1, WHITE);
-        if (distanceValue == null || thickness == 0) {
-            return baseColor;
-        }
-        double distance = volume.number("attenuationDistance", 0, Double.MIN_VALUE, Double.MAX_VALUE);
+        double distance = volume.number("attenuationDistance", 1, Double.MIN_VALUE, Double.MAX_VALUE);
         if (volume.find("thicknessTexture") != null) {
             report.warning(volume.get("thicknessTexture"), "is ignored; the factor is used");
         }

@@ -12,6 +12,7 @@ import org.daybreak.scenes.description.ObjectDescription;
 import org.daybreak.scenes.description.ObjectKind;
 import org.daybreak.scenes.description.Value;
 import org.daybreak.scenes.mesh.ZeroAreaTriangles;
+import org.daybreak.scenes.model.ModelReader;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -49,7 +50,7 @@ final class SceneWriter {
 
     /** The scene. Errors in one mesh, camera or light do not keep those in others from being found. */
     ObjectDescription scene() {
-        ObjectBuilder scene = new ObjectBuilder(ObjectKind.SCENE, "model", report.location(container.root()));
+        ObjectBuilder scene = new ObjectBuilder(ObjectKind.SCENE, ModelReader.MODEL, report.location(container.root()));
         Cameras cameras = new Cameras(container, report);
         Lights lights = new Lights(container, report);
         Map<Morphed, Appearances> shared = new LinkedHashMap<>();
