@@ -96,6 +96,7 @@ final class CylinderSampler implements SurfaceSampler {
         toWorld.applyInversePoint(point.x, point.y, point.z, p);
         point.u = SurfaceFrames.turn(p[0], p[1]);
         point.v = Math.max(0, Math.min(1, p[2]));
+        point.setNoAttributes();
     }
 
     @Override

@@ -61,7 +61,7 @@ final class MeshBuilder {
         if (p.truth("face_normals")) {
             TriangleMesh flat = mesh;
             return new Mesh(
-                    flattened.computeIfAbsent(flat, m -> new TriangleMesh(m.positions(), m.triangles(), null, m.uvs())),
+                    flattened.computeIfAbsent(flat, m -> withNormals(m, null)),
                     true);
         }
         if (mesh.normals() != null) {
@@ -76,8 +76,8 @@ final class MeshBuilder {
                 true);
     }
 
-    private static TriangleMesh withNormals(TriangleMesh m, float[] normals) {
-        return new TriangleMesh(m.positions(), m.triangles(), normals, m.uvs());
+    private static TriangleMesh withNormals(TriangleMesh m, float @Nullable [] normals) {
+        return new TriangleMesh(m.positions(), m.triangles(), normals, m.uvs(), m.secondUvs(), m.colors());
     }
 
     /** Normals computed in world space, in the mesh's own coordinates: n = ±Mᵀ n_world, so that M⁻ᵀ brings them back. */
