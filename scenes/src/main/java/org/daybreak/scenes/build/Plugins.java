@@ -145,5 +145,4 @@ public final class Plugins {
                     optional("strength", ValueType.INTEGER, NO_EFFECT)));
         }
     }
-
-    }
+}

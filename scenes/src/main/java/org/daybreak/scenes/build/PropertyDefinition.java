@@ -51,7 +51,7 @@ public record PropertyDefinition(
                 name, type, null, false, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, List.of(), null, doc);
     }
 
-    static PropertyDefinition choice(String name, String defaultValue, List<String> choices, String doc) {
+    static PropertyDefinition choice(String name, @Nullable String defaultValue, List<String> choices, String doc) {
         return new PropertyDefinition(name, ValueType.CHOICE, defaultValue, false, 0, 0, choices, null, doc);
     }
 

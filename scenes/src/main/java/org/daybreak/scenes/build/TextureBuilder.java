@@ -99,12 +99,17 @@ final class TextureBuilder {
         }
         BitmapTexture.Filter filter =
                 p.text("filter_type").equals("nearest") ? BitmapTexture.Filter.NEAREST : BitmapTexture.Filter.BILINEAR;
-        BitmapTexture.Wrap wrap = switch (p.text("wrap_mode")) {
+        BitmapTexture.Wrap wrapU = wrap(p.text("wrap_mode"));
+        BitmapTexture.Wrap wrapV = p.has("wrap_mode_v") ? wrap(p.text("wrap_mode_v")) : wrapU;
+        return new BitmapTexture(image, filter, wrapU, wrapV, uvTransform(p), p.integer("uv_set") == 1);
+    }
+
+    private static BitmapTexture.Wrap wrap(String mode) {
+        return switch (mode) {
             case "mirror" -> BitmapTexture.Wrap.MIRROR;
             case "clamp" -> BitmapTexture.Wrap.CLAMP;
             default -> BitmapTexture.Wrap.REPEAT;
         };
-        return new BitmapTexture(image, filter, wrap, uvTransform(p));
     }
 
     /** The part of a transform that acts on texture coordinates: as in Mitsuba, the translation is that of the last column. */

@@ -24,12 +24,15 @@ final class TexturePlugins {
                 optional("filename", ValueType.FILE, "The file.").asRequired(),
                 choice("filter_type", "bilinear", List.of("bilinear", "nearest"), "Interpolation."),
                 choice("wrap_mode", "repeat", List.of("repeat", "mirror", "clamp"), "What lies outside the image."),
+                choice("wrap_mode_v", null, List.of("repeat", "mirror", "clamp"), "The same along v, if it differs."),
                 value("raw", ValueType.BOOLEAN, "false", "Takes values of 8 and 16 bits as linear instead of sRGB."),
                 choice(
                         "channel",
                         "all",
                         List.of("all", "r", "g", "b", "a"),
                         "Takes one channel as a grey image; a is opacity, which is linear."),
+                value("uv_set", ValueType.INTEGER, "0", "1 to lay it over the second texture coordinates of a mesh.")
+                        .between(0, 1),
                 toUv,
                 optional("format", ValueType.STRING, NO_EFFECT),
                 optional("accel", ValueType.BOOLEAN, NO_EFFECT)));

@@ -90,26 +90,30 @@ final class MaterialWriter {
 
     /** Product of a colour and up to two textures. */
     private Value product(double[] factor, @Nullable ObjectDescription first, @Nullable ObjectDescription second) {
+        if (first != null && second != null) {
+            ObjectDescription both = object(ObjectKind.TEXTURE, "product")
+                    .value("first", new Value.Nested(first))
+                    .value("second", new Value.Nested(second))
+                    .build();
+            return product(factor, both, null);
+        }
         Value color = new Value.Color(factor[0], factor[1], factor[2]);
+        ObjectDescription texture = first == null ? second : first;
         boolean one = factor[0] == 1 && factor[1] == 1 && factor[2] == 1;
-        Value left = first == null ? color : one ? new Value.Nested(first) : product(color, new Value.Nested(first));
-        return second == null ? left : product(left, new Value.Nested(second));
+        return texture == null ? color : one ? new Value.Nested(texture) : scaled(color, texture);
     }
 
-    private Value product(Value first, Value second) {
-        return new Value.Nested(object(ObjectKind.TEXTURE, "product")
-                .value("first", first)
-                .value("second", second)
+    private Value scaled(Value factor, ObjectDescription texture) {
+        return new Value.Nested(object(ObjectKind.TEXTURE, "scaled")
+                .value("scale", factor)
+                .nested(texture)
                 .build());
     }
 
     /** Product of a number and one channel of a texture. */
     private Value scaled(double factor, @Nullable ObjectDescription texture) {
-        return texture == null
-                ? new Value.RealNumber(factor)
-                : factor == 1
-                        ? new Value.Nested(texture)
-                        : product(new Value.RealNumber(factor), new Value.Nested(texture));
+        Value number = new Value.RealNumber(factor);
+        return texture == null ? number : factor == 1 ? new Value.Nested(texture) : scaled(number, texture);
     }
 
     private ObjectDescription black() {
@@ -248,7 +252,7 @@ final class MaterialWriter {
             return new Value.Color(
                     c.r() * transmittance[0], c.g() * transmittance[1], c.b() * transmittance[2]);
         }
-        return product(factor, baseColor);
+        return baseColor instanceof Value.Nested nested ? scaled(factor, nested.object()) : baseColor;
     }
 
     /** KHR_materials_anisotropy. Returns the roughness whose highlights have the same area. */
@@ -312,6 +316,7 @@ final class MaterialWriter {
         return object(ObjectKind.BSDF, "normalmap")
                 .value("normalmap", new Value.Nested(map))
                 .number("scale", info.number("scale", 1))
+                .text("green", "against_v")
                 .nested(bsdf)
                 .build();
     }

@@ -89,9 +89,9 @@ class MaterialTest {
         ObjectDescription p = principled("{'pbrMetallicRoughness':{'baseColorFactor':[0.5,1,1,1],'metallicFactor':0.5,"
                 + "'baseColorTexture':{'index':0},'metallicRoughnessTexture':{'index':1}}}");
         ObjectDescription product = Descriptions.nested(p, "base_color");
-        assertEquals("product", product.type());
-        assertEquals(new Value.Color(0.5, 1, 1), Descriptions.value(product, "first"));
-        ObjectDescription base = Descriptions.nested(product, "second");
+        assertEquals("scaled", product.type());
+        assertEquals(new Value.Color(0.5, 1, 1), Descriptions.value(product, "scale"));
+        ObjectDescription base = Descriptions.child(product, ObjectKind.TEXTURE);
         assertEquals(new Value.Switch(false), Descriptions.value(base, "raw"));
         assertEquals("all", Descriptions.text(base, "channel"));
         assertEquals(Optional.empty(), Descriptions.find(base, "wrap_mode"));
@@ -107,8 +107,8 @@ class MaterialTest {
         assertEquals("clamp", Descriptions.text(roughness, "wrap_mode"));
         assertEquals("mirror", Descriptions.text(roughness, "wrap_mode_v"));
         ObjectDescription metallic = Descriptions.nested(p, "metallic");
-        assertEquals(new Value.RealNumber(0.5), Descriptions.value(metallic, "first"));
-        assertEquals("b", Descriptions.text(Descriptions.nested(metallic, "second"), "channel"));
+        assertEquals(new Value.RealNumber(0.5), Descriptions.value(metallic, "scale"));
+        assertEquals("b", Descriptions.text(Descriptions.child(metallic, ObjectKind.TEXTURE), "channel"));
     }
 
     @Test
@@ -134,8 +134,8 @@ class MaterialTest {
         ObjectDescription blend = bsdf("{'alphaMode':'BLEND'," + pbr + "}");
         assertEquals("mask", blend.type());
         ObjectDescription opacity = Descriptions.nested(blend, "opacity");
-        assertEquals(new Value.RealNumber(0.75), Descriptions.value(opacity, "first"));
-        ObjectDescription alpha = Descriptions.nested(opacity, "second");
+        assertEquals(new Value.RealNumber(0.75), Descriptions.value(opacity, "scale"));
+        ObjectDescription alpha = Descriptions.child(opacity, ObjectKind.TEXTURE);
         assertEquals("a", Descriptions.text(alpha, "channel"));
         assertEquals(new Value.Switch(true), Descriptions.value(alpha, "raw"));
         assertEquals("twosided", Descriptions.child(blend, ObjectKind.BSDF).type());
@@ -144,7 +144,7 @@ class MaterialTest {
         ObjectDescription threshold = Descriptions.nested(mask, "opacity");
         assertEquals("threshold", threshold.type());
         assertEquals(0.3, Descriptions.number(threshold, "cutoff"));
-        assertEquals("product", Descriptions.nested(threshold, "value").type());
+        assertEquals("scaled", Descriptions.nested(threshold, "value").type());
 
         // Without a texture it is decided here.
         String half = "'pbrMetallicRoughness':{'baseColorFactor':[1,1,1,0.5]}";
@@ -163,8 +163,9 @@ class MaterialTest {
         ObjectDescription area = Descriptions.child(shape, ObjectKind.EMITTER);
         assertEquals("area", area.type());
         ObjectDescription radiance = Descriptions.nested(area, "radiance");
-        assertEquals(new Value.Color(4, 2, 0), Descriptions.value(radiance, "first"));
-        assertEquals(new Value.Switch(false), Descriptions.value(Descriptions.nested(radiance, "second"), "raw"));
+        assertEquals(new Value.Color(4, 2, 0), Descriptions.value(radiance, "scale"));
+        assertEquals(
+                new Value.Switch(false), Descriptions.value(Descriptions.child(radiance, ObjectKind.TEXTURE), "raw"));
         assertEquals(
                 List.of(),
                 Descriptions.children(
@@ -193,6 +194,7 @@ class MaterialTest {
                 Descriptions.child(bsdf("{'normalTexture':{'index':0,'scale':0.5}}"), ObjectKind.BSDF);
         assertEquals("normalmap", map.type());
         assertEquals(0.5, Descriptions.number(map, "scale"));
+        assertEquals("against_v", Descriptions.text(map, "green"));
         ObjectDescription texture = Descriptions.nested(map, "normalmap");
         assertEquals(new Value.Switch(true), Descriptions.value(texture, "raw"));
         assertEquals("principled", Descriptions.child(map, ObjectKind.BSDF).type());
