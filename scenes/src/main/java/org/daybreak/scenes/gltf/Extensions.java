@@ -33,9 +33,9 @@ final class Extensions {
                 String shown = JsonValue.quotable(name.text());
                 report.error(
                         name,
-                        "requires the extension " + shown + ", which is not supported"
-                                + NearestName.hint(shown, SUPPORTED) + "; supported are "
-                                + String.join(", ", SUPPORTED));
+                        "requires the extension " + shown + ", which is not supported; supported are "
+                                + String.join(", ", SUPPORTED) + "; did you mean '"
+                                + NearestName.of(shown, SUPPORTED, 1).get(0) + "'?");
             }
         }
         for (JsonValue name : root.list("extensionsUsed")) {

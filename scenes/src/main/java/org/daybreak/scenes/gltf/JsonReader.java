@@ -29,14 +29,16 @@ final class JsonReader {
                 // Embedded buffers are strings; a string is never longer than the file.
                 .streamReadConstraints(StreamReadConstraints.builder()
                         .maxStringLength(Integer.MAX_VALUE)
-                        .maxNestingDepth(DEEPEST)
+                        .maxNestingDepth(DEEPEST + 1)
                         .build())
                 .build();
         try (JsonParser parser = factory.createParser(bytes, offset, length)) {
             JsonValue root = null;
             JsonValue container = null;
+            int depth = 0;
             for (JsonToken token = parser.nextToken(); token != null; token = parser.nextToken()) {
                 if (token == JsonToken.END_OBJECT || token == JsonToken.END_ARRAY) {
+                    depth--;
                     container = container == null ? null : container.parent();
                 } else if (token != JsonToken.FIELD_NAME) {
                     if (root != null && container == null) {
@@ -49,6 +51,10 @@ final class JsonReader {
                         container.append(value);
                     }
                     if (token.isStructStart()) {
+                        if (++depth > DEEPEST) {
+                            throw new JsonParseException(
+                                    parser, "arrays and objects are nested more than " + DEEPEST + " levels deep");
+                        }
                         container = value;
                     }
                 }

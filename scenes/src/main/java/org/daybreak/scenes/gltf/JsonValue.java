@@ -206,8 +206,9 @@ final class JsonValue {
         }
         String word = found.text();
         if (!choices.contains(word)) {
-            throw found.error("must be one of " + String.join(", ", choices) + " but is '" + quotable(word) + "'"
-                    + NearestName.hint(quotable(word), choices));
+            throw found.error("must be one of " + String.join(", ", choices) + " but is '" + quotable(word)
+                    + "'; did you mean '"
+                    + NearestName.of(quotable(word), choices, 1).get(0) + "'?");
         }
         return word;
     }

@@ -58,8 +58,8 @@ class GltfErrorsTest {
                 arguments(
                         new GltfText().with("extensionsRequired", "['KHR_texture_transfrom']"),
                         "/extensionsRequired/0 requires the extension KHR_texture_transfrom, which is not supported;"
-                                + " did you mean 'KHR_texture_transform'?; supported are "
-                                + String.join(", ", Extensions.SUPPORTED)),
+                                + " supported are " + String.join(", ", Extensions.SUPPORTED)
+                                + "; did you mean 'KHR_texture_transform'?"),
                 arguments(
                         accessor(ACCESSOR + ",'byteOffset':4}"),
                         "/accessors/0 needs 40 bytes of a buffer view of 36 bytes"),
