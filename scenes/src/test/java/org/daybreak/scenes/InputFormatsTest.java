@@ -106,7 +106,7 @@ class InputFormatsTest {
             case FLOAT -> "float";
             case BOOLEAN -> "boolean";
             case POINT -> "point";
-            case COLOR, REFLECTANCE, EMISSION, TEXTURED_EMISSION -> "rgb";
+            case COLOR, REFLECTANCE, EMISSION, TEXTURED_NUMBER, TEXTURED_EMISSION -> "rgb";
             case REFRACTIVE_INDEX, STRING, CHOICE, FILE -> "string";
             case TRANSFORM, OBJECT, MESH -> throw new AssertionError(value);
         };

@@ -13,10 +13,13 @@ import org.daybreak.core.material.BitmapTexture;
 import org.daybreak.core.material.CheckerboardTexture;
 import org.daybreak.core.material.ConstantTexture;
 import org.daybreak.core.material.ProductTexture;
+import org.daybreak.core.material.ScaledTexture;
 import org.daybreak.core.material.Texture;
 import org.daybreak.core.material.TextureImage;
 import org.daybreak.core.material.ThresholdTexture;
+import org.daybreak.core.material.VertexColorTexture;
 import org.daybreak.scenes.description.ObjectDescription;
+import org.daybreak.scenes.description.ObjectKind;
 import org.daybreak.scenes.description.SourceLocation;
 import org.daybreak.scenes.description.Value;
 import org.daybreak.scenes.image.ImageLoader;
@@ -54,14 +57,16 @@ final class TextureBuilder {
             return new ConstantTexture(rgb[0], rgb[1], rgb[2]);
         }
         Texture texture = texture(child.object(), child.location());
-        if (owner.isReflectance(name) && texture.maximum() > 1) {
+        double limit = owner.textureLimit(name);
+        if (texture.maximum() > limit) {
             context.error(
                     child.location(),
                     String.format(
                             Locale.ROOT,
-                            "'%s' of %s must not exceed 1 but its texture reaches %s",
+                            "'%s' of %s must not exceed %s but its texture reaches %s",
                             name,
                             owner.object().label(),
+                            limit == Math.rint(limit) ? String.format(Locale.ROOT, "%.0f", limit) : limit,
                             texture.maximum()));
             return PLACEHOLDER;
         }
@@ -84,15 +89,40 @@ final class TextureBuilder {
         if (p == null) {
             return null;
         }
-        if (object.type().equals("checkerboard")) {
-            return new CheckerboardTexture(texture(p, "color0"), texture(p, "color1"), uvTransform(p));
+        switch (object.type()) {
+            case "checkerboard":
+                return new CheckerboardTexture(texture(p, "color0"), texture(p, "color1"), uvTransform(p));
+            case "mesh_attribute":
+                return vertexColors(p);
+            case "scaled":
+                return scaled(p);
+            case "product":
+                return new ProductTexture(texture(p, "first"), texture(p, "second"));
+            case "threshold":
+                return new ThresholdTexture(texture(p, "value"), p.number("cutoff"));
+            default:
+                return bitmap(p);
         }
-        if (object.type().equals("product")) {
-            return new ProductTexture(texture(p, "first"), texture(p, "second"));
+    }
+
+    private Texture vertexColors(Properties p) {
+        String attribute = p.text("name");
+        if (!attribute.equals("vertex_color")) {
+            context.error(p.location("name"), "the only mesh attribute is 'vertex_color', not '" + attribute + "'");
         }
-        if (object.type().equals("threshold")) {
-            return new ThresholdTexture(texture(p, "value"), p.number("cutoff"));
+        return new VertexColorTexture(p.number("scale"));
+    }
+
+    private @Nullable Texture scaled(Properties p) {
+        Properties.Child nested = p.child(ObjectKind.TEXTURE);
+        if (nested == null) {
+            return null;
         }
+        double[] scale = p.color("scale");
+        return new ScaledTexture(texture(nested.object(), nested.location()), scale[0], scale[1], scale[2]);
+    }
+
+    private @Nullable Texture bitmap(Properties p) {
         TextureImage image = image(p);
         if (image == null) {
             return null;
