@@ -124,9 +124,14 @@ final class BuildContext {
      * @return the file, or null if it is not there or cannot be read, which is reported
      */
     @Nullable
-    Path file(String name, SourceLocation location) {
+    Path file(String given, SourceLocation location) {
         Path found;
         try {
+            // Programs on Windows write the separators of their system.
+            String name =
+                    given.indexOf('\\') >= 0 && !Files.exists(location.file().resolveSibling(given))
+                            ? given.replace('\\', '/')
+                            : given;
             found = location.file().resolveSibling(name);
             List<Path> others = new ArrayList<>();
             others.add(description.file().resolveSibling(name));
@@ -139,7 +144,7 @@ final class BuildContext {
                 }
             }
         } catch (InvalidPathException e) {
-            error(location, "'" + name + "' is no file name: " + e.getReason());
+            error(location, "'" + given + "' is no file name: " + e.getReason());
             return null;
         }
         String problem = null;

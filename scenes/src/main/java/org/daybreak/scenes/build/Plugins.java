@@ -112,7 +112,7 @@ public final class Plugins {
                 value("rr_depth", ValueType.INTEGER, "5", "Length from which Russian roulette may end a path.")
                         .between(1, Integer.MAX_VALUE));
         List<PropertyDefinition> common = List.of(
-                value("hide_emitters", ValueType.BOOLEAN, "false", "Must be false: lights are always visible."),
+                value("hide_emitters", ValueType.BOOLEAN, "false", "Has no effect: lights are always visible."),
                 optional("samples_per_pass", ValueType.INTEGER, NO_EFFECT),
                 optional("block_size", ValueType.INTEGER, NO_EFFECT));
         list.add(plugin(ObjectKind.INTEGRATOR, "path", "Path tracer: renderer 'path'.", join(common, join(depths))));

@@ -66,7 +66,7 @@ public final class SceneBuilder {
 
     private void readIntegrator(Properties p) {
         if (p.truth("hide_emitters")) {
-            context.error(p.location("hide_emitters"), "'hide_emitters' is not supported: it must be false");
+            context.warning(p.location("hide_emitters"), "'hide_emitters' has no effect: lights stay visible");
         }
         String type = p.object().type();
         rendererId = type.equals("ptracer") ? "light" : "path";

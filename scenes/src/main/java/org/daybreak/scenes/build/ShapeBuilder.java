@@ -118,7 +118,7 @@ final class ShapeBuilder {
         Shape shape;
         try {
             switch (p.object().type()) {
-                case "obj", "ply", "stl" -> {
+                case "obj", "ply", "stl", "serialized" -> {
                     MeshBuilder.Mesh mesh = meshes.mesh(p, toWorld);
                     if (mesh == null) {
                         return null;

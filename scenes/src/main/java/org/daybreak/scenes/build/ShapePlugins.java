@@ -45,6 +45,16 @@ final class ShapePlugins {
                         value("flip_tex_coords", ValueType.BOOLEAN, "false", "Turns v into 1 - v."))));
         list.add(Plugins.plugin(
                 ObjectKind.SHAPE,
+                "serialized",
+                "Compressed meshes of Mitsuba 0.6.",
+                Plugins.join(
+                        common,
+                        file,
+                        faceNormals,
+                        value("shape_index", ValueType.INTEGER, "0", "Number of the mesh in the file.")
+                                .between(0, Integer.MAX_VALUE))));
+        list.add(Plugins.plugin(
+                ObjectKind.SHAPE,
                 "stl",
                 "STL mesh, ASCII or binary.",
                 Plugins.join(
