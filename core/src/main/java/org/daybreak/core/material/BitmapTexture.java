@@ -172,7 +172,9 @@ public final class BitmapTexture implements Texture {
         if (filter == Filter.NEAREST) {
             return derivative
                     ? 0
-                    : value(wrapped(Math.floor(y), height, wrapV) * width + wrapped(Math.floor(x), width, wrapU), channel);
+                    : value(
+                            wrapped(Math.floor(y), height, wrapV) * width + wrapped(Math.floor(x), width, wrapU),
+                            channel);
         }
         double left = Math.floor(x - 0.5);
         double top = Math.floor(y - 0.5);

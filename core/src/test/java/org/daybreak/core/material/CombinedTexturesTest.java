@@ -27,8 +27,7 @@ class CombinedTexturesTest {
 
     @Test
     void productsMultiplyComponents() {
-        Texture product =
-                new ProductTexture(new ConstantTexture(0.5, 1, 0.25), new ConstantTexture(0.5, 0.125, 2));
+        Texture product = new ProductTexture(new ConstantTexture(0.5, 1, 0.25), new ConstantTexture(0.5, 0.125, 2));
         product.evaluate(point, out);
         assertEquals(0.25, out.r);
         assertEquals(0.125, out.g);

@@ -1,6 +1,5 @@
 package org.daybreak.scenes.build;
 
-import static org.daybreak.scenes.build.PropertyDefinition.choice;
 import static org.daybreak.scenes.build.PropertyDefinition.objects;
 import static org.daybreak.scenes.build.PropertyDefinition.optional;
 import static org.daybreak.scenes.build.PropertyDefinition.value;

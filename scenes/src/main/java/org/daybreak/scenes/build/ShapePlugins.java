@@ -105,7 +105,8 @@ final class ShapePlugins {
                 ObjectKind.SHAPE,
                 "mesh",
                 "Mesh in memory.",
-                Plugins.join(common(), optional("mesh", ValueType.MESH, "The mesh.").asRequired()));
+                Plugins.join(
+                        common(), optional("mesh", ValueType.MESH, "The mesh.").asRequired()));
     }
 
     private static List<PropertyDefinition> common() {

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Supplier;
 import javax.vecmath.Matrix4d;
 import org.daybreak.core.color.ColorSpaces;
 import org.daybreak.core.light.RadianceMap;
@@ -149,21 +150,27 @@ final class TextureBuilder {
     }
 
     private @Nullable TextureImage image(Properties p) {
-        Value.Content content = p.content("filename");
         SourceLocation location = p.location("filename");
-        Path file = content != null || !p.has("filename") ? null : context.file(p.text("filename"), location);
-        if (file == null && content == null) {
-            return null;
+        Value.Content content = p.content("filename");
+        if (content != null) {
+            return image(p, content.bytes(), content.name(), () -> load(content, location));
         }
+        Path file = p.has("filename") ? context.file(p.text("filename"), location) : null;
+        return file == null
+                ? null
+                : image(p, file.toAbsolutePath().normalize(), file.toString(), () -> load(file, location));
+    }
+
+    /** The part of an image that a texture asks for, read once. */
+    private @Nullable TextureImage image(
+            Properties p, Object source, String name, Supplier<@Nullable LoadedImage> loader) {
         boolean raw = p.truth("raw");
         String channel = p.text("channel");
-        ImageKey key = new ImageKey(
-                file == null ? content.bytes() : file.toAbsolutePath().normalize(), raw, channel);
+        ImageKey key = new ImageKey(source, raw, channel);
         TextureImage known = images.get(key);
         if (known == null) {
-            String name = file == null ? content.name() : file.toString();
-            LoadedImage loaded = file == null ? load(content, location) : load(file, location);
-            known = loaded == null ? null : textureImage(loaded, raw, channel, name, location);
+            LoadedImage loaded = loader.get();
+            known = loaded == null ? null : textureImage(loaded, raw, channel, name, p.location("filename"));
             if (known != null) {
                 images.put(key, known);
             }
@@ -247,6 +254,9 @@ final class TextureBuilder {
         } catch (IOException e) {
             context.error(location, "cannot read " + content.name() + ": " + e.getMessage());
             return null;
+        } catch (OutOfMemoryError e) {
+            context.error(location, "the image " + content.name() + " does not fit into memory");
+            return null;
         }
     }
 
@@ -270,7 +280,8 @@ final class TextureBuilder {
                 location,
                 "images of type '" + ending + "' cannot be read; known: "
                         + String.join(
-                                ", ", context.images().endings().stream().sorted().toList()));
+                                ", ",
+                                context.images().endings().stream().sorted().toList()));
         return false;
     }
 }

@@ -14,11 +14,9 @@ import org.jspecify.annotations.Nullable;
  * refers to has been checked to exist, and elements are decoded when asked for, so that its size costs nothing.
  */
 final class Accessor {
-    private static final VarHandle SHORT =
-            MethodHandles.byteArrayViewVarHandle(short[].class, ByteOrder.LITTLE_ENDIAN);
+    private static final VarHandle SHORT = MethodHandles.byteArrayViewVarHandle(short[].class, ByteOrder.LITTLE_ENDIAN);
     private static final VarHandle INT = MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.LITTLE_ENDIAN);
-    private static final VarHandle FLOAT =
-            MethodHandles.byteArrayViewVarHandle(float[].class, ByteOrder.LITTLE_ENDIAN);
+    private static final VarHandle FLOAT = MethodHandles.byteArrayViewVarHandle(float[].class, ByteOrder.LITTLE_ENDIAN);
 
     private static final Map<String, Integer> WIDTHS =
             Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4, "MAT2", 4, "MAT3", 9, "MAT4", 16);
@@ -167,7 +165,8 @@ final class Accessor {
     /** An exception if the elements are not of one of these types. */
     Accessor requireType(JsonValue use, String... types) throws GltfException {
         if (!Arrays.asList(types).contains(type)) {
-            throw use.error("must be of type " + String.join(" or ", types) + " but " + json.path() + " is of type " + type);
+            throw use.error(
+                    "must be of type " + String.join(" or ", types) + " but " + json.path() + " is of type " + type);
         }
         return this;
     }

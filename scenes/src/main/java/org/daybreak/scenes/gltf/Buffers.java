@@ -73,7 +73,8 @@ final class Buffers {
         int available;
         if (uri == null) {
             if (buffer.index() != 0 || container.bufferLength() < 0) {
-                throw buffer.error("has no uri; only the first buffer of a binary file with a binary chunk may lack it");
+                throw buffer.error(
+                        "has no uri; only the first buffer of a binary file with a binary chunk may lack it");
             }
             bytes = container.bytes();
             offset = container.bufferOffset();

@@ -29,7 +29,8 @@ final class Frames {
         y.cross(z, x);
         double sum = x.x + x.y + x.z + y.x + y.y + y.z + z.x + z.y + z.z + m.m03 + m.m13 + m.m23;
         if (!Double.isFinite(sum)) {
-            throw node.error("has a camera or light but its transform gives no direction: it is singular or not finite");
+            throw node.error(
+                    "has a camera or light but its transform gives no direction: it is singular or not finite");
         }
         return new Matrix4d(x.x, y.x, z.x, m.m03, x.y, y.y, z.y, m.m13, x.z, y.z, z.z, m.m23, 0, 0, 0, 1);
     }

@@ -71,8 +71,8 @@ public final class GltfReader {
             throw needed.error("is " + JsonValue.quotable(version) + " but only glTF 2.0 is supported");
         }
         if (asset.text("version") == null || !asset.get("version").text().startsWith("2.")) {
-            throw asset.get("version").error("is " + JsonValue.quotable(asset.get("version").text())
-                    + " but only glTF 2.x is supported");
+            throw asset.get("version")
+                    .error("is " + JsonValue.quotable(asset.get("version").text()) + " but only glTF 2.x is supported");
         }
     }
 }

@@ -42,8 +42,7 @@ final class JsonReader {
                     container = container == null ? null : container.parent();
                 } else if (token != JsonToken.FIELD_NAME) {
                     if (root != null && container == null) {
-                        throw new JsonParseException(
-                                parser, "there is more behind the end of the document");
+                        throw new JsonParseException(parser, "there is more behind the end of the document");
                     }
                     JsonValue value = value(parser, token, container);
                     root = root == null ? value : root;

@@ -59,7 +59,8 @@ final class Lights {
     }
 
     private static void cone(@Nullable JsonValue spot, ObjectBuilder builder) throws GltfException {
-        double outer = spot == null ? Math.PI / 4 : spot.number("outerConeAngle", Math.PI / 4, 1e-4, Math.PI / 2 + 1e-6);
+        double outer =
+                spot == null ? Math.PI / 4 : spot.number("outerConeAngle", Math.PI / 4, 1e-4, Math.PI / 2 + 1e-6);
         double inner = spot == null ? 0 : spot.number("innerConeAngle", 0, 0, Math.PI / 2);
         if (spot != null && inner >= outer) {
             throw spot.error("must have an innerConeAngle below outerConeAngle, " + outer + ", but it is " + inner);

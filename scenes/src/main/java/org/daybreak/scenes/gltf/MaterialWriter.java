@@ -38,7 +38,9 @@ final class MaterialWriter {
     MaterialWriter(JsonValue material, Geometry geometry, Textures textures, Report report) throws GltfException {
         this.material = material;
         JsonValue given = material.find("pbrMetallicRoughness");
-        this.pbr = given == null ? new JsonValue(JsonValue.Kind.OBJECT, material, "pbrMetallicRoughness", 1, 1, 0, "") : given;
+        this.pbr = given == null
+                ? new JsonValue(JsonValue.Kind.OBJECT, material, "pbrMetallicRoughness", 1, 1, 0, "")
+                : given;
         this.geometry = geometry;
         this.textures = textures;
         this.report = report;
@@ -83,7 +85,9 @@ final class MaterialWriter {
     }
 
     private @Nullable ObjectDescription vertexColor() {
-        return geometry.colors() == null ? null : object(ObjectKind.TEXTURE, "mesh_attribute")
+        return geometry.colors() == null
+                ? null
+                : object(ObjectKind.TEXTURE, "mesh_attribute")
                         .text("name", "vertex_color")
                         .build();
     }
@@ -146,7 +150,10 @@ final class MaterialWriter {
         if (alpha instanceof Value.RealNumber n && n.value() == 1) {
             return bsdf;
         }
-        return object(ObjectKind.BSDF, "mask").value("opacity", alpha).nested(bsdf).build();
+        return object(ObjectKind.BSDF, "mask")
+                .value("opacity", alpha)
+                .nested(bsdf)
+                .build();
     }
 
     /** The surface without opacity and emission. */
@@ -165,7 +172,8 @@ final class MaterialWriter {
         Value share = scaled(transmitted, texture(transmission, "transmissionTexture", Channel.RED));
         JsonValue volume = extension("volume");
         if (volume != null && volume.number("thicknessFactor", 0, 0, Double.MAX_VALUE) > 0) {
-            ObjectBuilder glass = object(ObjectKind.BSDF, "principled").value("base_color", absorbed(baseColor, volume));
+            ObjectBuilder glass =
+                    object(ObjectKind.BSDF, "principled").value("base_color", absorbed(baseColor, volume));
             addMetal(glass);
             addCommon(glass, true);
             addClearcoat(glass);
@@ -186,9 +194,7 @@ final class MaterialWriter {
     private void addMetal(ObjectBuilder principled) throws GltfException {
         principled.value(
                 "metallic",
-                scaled(
-                        pbr.number("metallicFactor", 1, 0, 1),
-                        texture(pbr, "metallicRoughnessTexture", Channel.BLUE)));
+                scaled(pbr.number("metallicFactor", 1, 0, 1), texture(pbr, "metallicRoughnessTexture", Channel.BLUE)));
     }
 
     /** What surfaces with and without a volume behind them have in common. */
@@ -249,8 +255,7 @@ final class MaterialWriter {
         }
         Value factor = new Value.Color(transmittance[0], transmittance[1], transmittance[2]);
         if (baseColor instanceof Value.Color c) {
-            return new Value.Color(
-                    c.r() * transmittance[0], c.g() * transmittance[1], c.b() * transmittance[2]);
+            return new Value.Color(c.r() * transmittance[0], c.g() * transmittance[1], c.b() * transmittance[2]);
         }
         return baseColor instanceof Value.Nested nested ? scaled(factor, nested.object()) : baseColor;
     }

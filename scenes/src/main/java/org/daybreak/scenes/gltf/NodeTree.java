@@ -36,7 +36,8 @@ final class NodeTree {
                 parents[child] = node.index();
             }
         }
-        List<JsonValue> roots = nodes.stream().filter(n -> parents[n.index()] < 0).toList();
+        List<JsonValue> roots =
+                nodes.stream().filter(n -> parents[n.index()] < 0).toList();
         visit(roots, container, null);
         for (JsonValue node : nodes) {
             if (worlds[node.index()] == null) {
@@ -58,8 +59,8 @@ final class NodeTree {
         for (JsonValue reference : (chosen == null ? scenes.get(0) : chosen).list("nodes")) {
             JsonValue node = container.resolve(reference, "nodes");
             if (parents[node.index()] >= 0) {
-                throw reference.error("must be a root but node " + node.index() + " is a child of node "
-                        + parents[node.index()]);
+                throw reference.error(
+                        "must be a root but node " + node.index() + " is a child of node " + parents[node.index()]);
             }
             if (!listed[node.index()]) {
                 listed[node.index()] = true;

@@ -15,8 +15,8 @@ import org.jspecify.annotations.Nullable;
 final class Pose {
     private static final Set<Accessor.Component> JOINTS =
             EnumSet.of(Accessor.Component.UNSIGNED_BYTE, Accessor.Component.UNSIGNED_SHORT);
-    private static final Set<Accessor.Component> WEIGHTS = EnumSet.of(
-            Accessor.Component.FLOAT, Accessor.Component.UNSIGNED_BYTE, Accessor.Component.UNSIGNED_SHORT);
+    private static final Set<Accessor.Component> WEIGHTS =
+            EnumSet.of(Accessor.Component.FLOAT, Accessor.Component.UNSIGNED_BYTE, Accessor.Component.UNSIGNED_SHORT);
 
     private final Container container;
     private final Buffers buffers;
@@ -36,7 +36,8 @@ final class Pose {
                         .requireType(bind, "MAT4")
                         .requireComponent(bind, EnumSet.of(Accessor.Component.FLOAT));
         if (bind != null && inverse != null && inverse.count() < references.size()) {
-            throw bind.error("leads to " + inverse.count() + " matrices but there are " + references.size() + " joints");
+            throw bind.error(
+                    "leads to " + inverse.count() + " matrices but there are " + references.size() + " joints");
         }
         this.joints = new Matrix4d[references.size()];
         for (int j = 0; j < joints.length; j++) {
@@ -125,8 +126,8 @@ final class Pose {
                 double weight = four.weights.value(vertex, c);
                 long joint = four.joints.unsigned(vertex, c);
                 if (joint >= joints.length) {
-                    throw four.reference.error("leads to joint " + joint + " at vertex " + vertex
-                            + " but the skin has " + joints.length + " joints");
+                    throw four.reference.error("leads to joint " + joint + " at vertex " + vertex + " but the skin has "
+                            + joints.length + " joints");
                 }
                 if (weight != 0) {
                     addScaled(joints[(int) joint], weight, out);

@@ -2,11 +2,11 @@ package org.daybreak.scenes.gltf;
 
 import java.util.ArrayList;
 import java.util.EnumSet;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.HashMap;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -200,8 +200,7 @@ final class PrimitiveReader {
         }
         float[] normals = attribute(source, "NORMAL", vertices, DIRECTIONS, 3, 3, "VEC3");
         // Without normals triangles are flat and tangents do not count (specification, 3.7.2.1).
-        float[] tangents =
-                normals == null ? null : attribute(source, "TANGENT", vertices, DIRECTIONS, 4, 3, "VEC4");
+        float[] tangents = normals == null ? null : attribute(source, "TANGENT", vertices, DIRECTIONS, 4, 3, "VEC4");
         float[] colors = attribute(source, "COLOR_0", vertices, NUMBERS, 4, 4, "VEC3", "VEC4");
         if (colors != null) {
             for (int i = 0; i < colors.length; i++) {
@@ -252,7 +251,13 @@ final class PrimitiveReader {
         for (Target target : source.targets) {
             JsonValue change = target.attributes.find(name);
             if (change != null) {
-                add(out, width, accessor(source, change, components), Math.min(morphed, given), vertices, target.weight);
+                add(
+                        out,
+                        width,
+                        accessor(source, change, components),
+                        Math.min(morphed, given),
+                        vertices,
+                        target.weight);
             }
         }
         return out;
@@ -272,8 +277,8 @@ final class PrimitiveReader {
             throws GltfException {
         Accessor accessor = Accessor.of(reference, container, buffers).requireComponent(reference, components);
         if (accessor.count() != source.vertexCount) {
-            throw reference.error("leads to " + accessor.count() + " elements but there are " + source.vertexCount
-                    + " positions");
+            throw reference.error(
+                    "leads to " + accessor.count() + " elements but there are " + source.vertexCount + " positions");
         }
         return accessor;
     }

@@ -29,6 +29,8 @@ final class SceneWriter {
     private final Instancing instancing;
     private final IdentityHashMap<Geometry, TriangleMesh> meshes = new IdentityHashMap<>();
 
+    private final IdentityHashMap<JsonValue, Pose> poses = new IdentityHashMap<>();
+
     SceneWriter(Container container, Report report) throws GltfException {
         this.container = container;
         this.report = report;
@@ -80,12 +82,16 @@ final class SceneWriter {
                 : weightsValue.numbers(weightsValue.elements().size());
         JsonValue skin = container.resolve(node, "skin", "skins");
         if (skin != null) {
-            List<Part> posed = parts(mesh, weights, new Pose(skin, nodes, container, buffers));
+            Pose pose = poses.get(skin);
+            if (pose == null) {
+                pose = new Pose(skin, nodes, container, buffers);
+                poses.put(skin, pose);
+            }
+            List<Part> posed = parts(mesh, weights, pose);
             place(new Appearances(posed, List.of(identity())), scene);
             return;
         }
-        Morphed key = new Morphed(
-                mesh.index(), Arrays.stream(weights).boxed().toList());
+        Morphed key = new Morphed(mesh.index(), Arrays.stream(weights).boxed().toList());
         Appearances appearances = shared.get(key);
         if (appearances == null) {
             appearances = new Appearances(parts(mesh, weights, null), new ArrayList<>());
@@ -121,8 +127,7 @@ final class SceneWriter {
         return m;
     }
 
-    private List<Part> parts(JsonValue mesh, double[] weights, @Nullable Pose pose)
-            throws GltfException {
+    private List<Part> parts(JsonValue mesh, double[] weights, @Nullable Pose pose) throws GltfException {
         List<Part> parts = new ArrayList<>();
         for (JsonValue primitive : mesh.get("primitives").elements()) {
             try {
@@ -170,8 +175,8 @@ final class SceneWriter {
             }
             return;
         }
-        ObjectBuilder group = new ObjectBuilder(
-                ObjectKind.SHAPE, "shapegroup", report.location(parts.get(0).primitive));
+        ObjectBuilder group =
+                new ObjectBuilder(ObjectKind.SHAPE, "shapegroup", report.location(parts.get(0).primitive));
         for (Part part : parts) {
             group.nested(shape(part).build());
         }

@@ -163,8 +163,7 @@ final class Textures {
         String name = "image " + image.index();
         if (view != null) {
             Buffers.Slice slice = buffers.view(view);
-            byte[] bytes = Arrays.copyOfRange(
-                    slice.bytes(), slice.offset(), slice.offset() + slice.length());
+            byte[] bytes = Arrays.copyOfRange(slice.bytes(), slice.offset(), slice.offset() + slice.length());
             String mediaType = image.text("mimeType");
             return new Value.Content(name, ending(image, bytes, mediaType == null ? "" : mediaType), bytes);
         }

@@ -38,8 +38,7 @@ final class Uris {
         }
         int semicolon = header.indexOf(';');
         try {
-            return new Data(
-                    header.substring(0, semicolon), Base64.getDecoder().decode(text.substring(comma + 1)));
+            return new Data(header.substring(0, semicolon), Base64.getDecoder().decode(text.substring(comma + 1)));
         } catch (IllegalArgumentException e) {
             throw uri.error("is damaged: " + e.getMessage());
         }

@@ -68,8 +68,8 @@ class GeometryTest {
 
     @Test
     void stripsKeepTheirWinding() throws IOException {
-        GltfText text = GltfText.mesh("'POSITION':0", ",'mode':5")
-                .floats("VEC3", 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0);
+        GltfText text =
+                GltfText.mesh("'POSITION':0", ",'mode':5").floats("VEC3", 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0);
         assertArrayEquals(new int[] {0, 1, 2, 1, 3, 2, 2, 3, 4}, mesh(text).triangles());
     }
 
@@ -96,16 +96,14 @@ class GeometryTest {
         Descriptions read = Descriptions.read(
                 GltfText.mesh("'POSITION':0", ",'mode':" + mode).floats("VEC3", SQUARE), folder);
         assertEquals(List.of(), read.all(ObjectKind.SHAPE));
-        assertEquals(
-                List.of("/meshes/0/primitives/0 is left out: points and lines have no surface"), read.warnings());
+        assertEquals(List.of("/meshes/0/primitives/0 is left out: points and lines have no surface"), read.warnings());
     }
 
     @Test
     void cornersLeftOverAreReported() throws IOException {
         Descriptions read = Descriptions.read(GltfText.mesh("'POSITION':0", "").floats("VEC3", SQUARE), folder);
         assertArrayEquals(new int[] {0, 1, 2}, read.mesh().triangles());
-        assertEquals(
-                List.of("/meshes/0/primitives/0 has corners that make no whole triangle: 1"), read.warnings());
+        assertEquals(List.of("/meshes/0/primitives/0 has corners that make no whole triangle: 1"), read.warnings());
     }
 
     @Test
@@ -161,10 +159,8 @@ class GeometryTest {
                 .numbers(SHORT, "VEC3", true, 0, 0, 32767, 0, -32768, 0, 16384, 0, 1)
                 .numbers(UNSIGNED_SHORT, "VEC2", true, 0, 65535, 32768, 1, 255, 256));
         assertArrayEquals(floats(-1, 0, 0, 1, 0, 0, 0, 64 / 127f, -1), bytes.positions());
-        assertArrayEquals(
-                floats(0, 0, 1, 0, -1, 0, 16384 / 32767f, 0, 1 / 32767f), bytes.normals());
-        assertArrayEquals(
-                floats(0, 1, 32768 / 65535f, 1 / 65535f, 255 / 65535f, 256 / 65535f), bytes.uvs());
+        assertArrayEquals(floats(0, 0, 1, 0, -1, 0, 16384 / 32767f, 0, 1 / 32767f), bytes.normals());
+        assertArrayEquals(floats(0, 1, 32768 / 65535f, 1 / 65535f, 255 / 65535f, 256 / 65535f), bytes.uvs());
     }
 
     /** KHR_mesh_quantization allows integers as they are. */
@@ -206,11 +202,14 @@ class GeometryTest {
         List<ObjectDescription> shapes = Descriptions.read(text, folder).all(ObjectKind.SHAPE);
         assertEquals(2, shapes.size());
         assertArrayEquals(
-                floats(0, 0, 1, 1, 0, 0, 0, 1, 0), Descriptions.mesh(shapes.get(0)).positions());
+                floats(0, 0, 1, 1, 0, 0, 0, 1, 0),
+                Descriptions.mesh(shapes.get(0)).positions());
         assertArrayEquals(
-                floats(0.5, 0, 1, 0, 0, 1, 0, 0, 1), Descriptions.mesh(shapes.get(0)).normals());
+                floats(0.5, 0, 1, 0, 0, 1, 0, 0, 1),
+                Descriptions.mesh(shapes.get(0)).normals());
         assertArrayEquals(
-                floats(0, 0, 0, 1, 1, 0, 0, 1, 0), Descriptions.mesh(shapes.get(1)).positions());
+                floats(0, 0, 0, 1, 1, 0, 0, 1, 0),
+                Descriptions.mesh(shapes.get(1)).positions());
     }
 
     /** Two joints, one moved by a parent; the middle vertex hangs on both. The mesh's own node does not count. */

@@ -116,8 +116,7 @@ class GltfErrorsTest {
                 arguments(
                         GltfText.mesh("'POSITION':0", ",'mode':7").floats("VEC3", TRIANGLE),
                         "/meshes/0/primitives/0/mode must be from 0 to 6 but is 7"),
-                arguments(
-                        nodes("[{'children':[1]},{'children':[0]}]"), "/nodes/0 is its own ancestor"),
+                arguments(nodes("[{'children':[1]},{'children':[0]}]"), "/nodes/0 is its own ancestor"),
                 arguments(nodes("[{'children':[0]}]"), "/nodes/0 is its own ancestor"),
                 arguments(
                         nodes("[{'children':[2]},{'children':[2]},{}]"),
@@ -130,12 +129,8 @@ class GltfErrorsTest {
                         nodes("[{'translation':[0,0,'x']}]"),
                         "/nodes/0/translation/2 must be a number but is a string"),
                 arguments(nodes("[{'translation':[0,0]}]"), "/nodes/0/translation must have 3 numbers but has 2"),
-                arguments(
-                        nodes("[{'rotation':[0,0,0,0]}]"),
-                        "/nodes/0/rotation must be a unit quaternion but is 0"),
-                arguments(
-                        nodes("[{'translation':[0,0,1e999]}]"),
-                        "/nodes/0/translation/2 is too large a number"),
+                arguments(nodes("[{'rotation':[0,0,0,0]}]"), "/nodes/0/rotation must be a unit quaternion but is 0"),
+                arguments(nodes("[{'translation':[0,0,1e999]}]"), "/nodes/0/translation/2 is too large a number"),
                 arguments(
                         MaterialTest.text("'POSITION':0", "{'alphaMode':'MASKED'}"),
                         "/materials/0/alphaMode must be one of OPAQUE, MASK, BLEND but is 'MASKED'; did you mean"
@@ -214,8 +209,7 @@ class GltfErrorsTest {
         GltfText text = GltfText.mesh("'POSITION':0", "").floats("VEC3", TRIANGLE);
         Path file = text.writeSeparate(folder, "a.bin", "a.bin");
         Files.write(folder.resolve("a.bin"), new byte[35]);
-        assertEquals(
-                List.of("/buffers/0/byteLength is 36 but there are only 35 bytes"), Descriptions.errors(file));
+        assertEquals(List.of("/buffers/0/byteLength is 36 but there are only 35 bytes"), Descriptions.errors(file));
         Files.delete(folder.resolve("a.bin"));
         assertEquals(
                 List.of("/buffers/0/uri names the file " + folder.resolve("a.bin") + ", which does not exist"),
@@ -237,8 +231,7 @@ class GltfErrorsTest {
         assertEquals(
                 List.of("the file is cut off: its header says " + good.length + " bytes but it has 100"),
                 binaryErrors(java.util.Arrays.copyOf(good, 100)));
-        assertEquals(
-                List.of("the file ends within its header"), binaryErrors(java.util.Arrays.copyOf(good, 16)));
+        assertEquals(List.of("the file ends within its header"), binaryErrors(java.util.Arrays.copyOf(good, 16)));
         assertEquals(
                 List.of("binary glTF of version 1 is not supported, only version 2"), binaryErrors(with(good, 4, 1)));
         assertEquals(List.of("chunk 0 reaches beyond the end of the file"), binaryErrors(with(good, 12, -1)));

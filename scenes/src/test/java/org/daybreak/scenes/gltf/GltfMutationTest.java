@@ -28,7 +28,8 @@ import org.junit.jupiter.api.io.TempDir;
 /** Whatever is in a file: it is read, or it is refused with the exception of scene files. Seeds are fixed. */
 class GltfMutationTest {
     private static final int MUTATIONS = 2000;
-    private static final Pattern TOKEN = Pattern.compile("-?[0-9][0-9.eE+-]*|true|false|\"[A-Za-z_0-9]*\"|[\\[\\]{},:]");
+    private static final Pattern TOKEN =
+            Pattern.compile("-?[0-9][0-9.eE+-]*|true|false|\"[A-Za-z_0-9]*\"|[\\[\\]{},:]");
     private static final List<String> HOSTILE = List.of(
             "0",
             "-1",
@@ -77,31 +78,41 @@ class GltfMutationTest {
                 + "'rotation':1,'scale':[2,2],'texCoord':0}}}";
         scene.with("extensionsUsed", "['KHR_texture_transform','KHR_lights_punctual','EXT_mesh_gpu_instancing']")
                 .with("extensionsRequired", "['KHR_texture_transform']")
-                .with("extensions", "{'KHR_lights_punctual':{'lights':[{'type':'point','intensity':3},{'type':'spot',"
-                        + "'spot':{'innerConeAngle':0.1,'outerConeAngle':0.5}},{'type':'directional'}]}}")
+                .with(
+                        "extensions",
+                        "{'KHR_lights_punctual':{'lights':[{'type':'point','intensity':3},{'type':'spot',"
+                                + "'spot':{'innerConeAngle':0.1,'outerConeAngle':0.5}},{'type':'directional'}]}}")
                 .with("scene", "0")
                 .with("scenes", "[{'nodes':[0,1,4]}]")
-                .with("nodes", "[{'mesh':0,'children':[2],'translation':[1,2,3],'rotation':[0,0,0,1],'scale':[1,2,3]},"
-                        + "{'mesh':1,'skin':0},{'camera':0,'matrix':[1,0,0,0,0,1,0,0,0,0,1,0,0,0,5,1],'children':[3]},"
-                        + "{'mesh':0,'weights':[0.25],'extensions':{'KHR_lights_punctual':{'light':1}}},"
-                        + "{'mesh':2,'extensions':{'EXT_mesh_gpu_instancing':{'attributes':{'TRANSLATION':7}}}}]")
+                .with(
+                        "nodes",
+                        "[{'mesh':0,'children':[2],'translation':[1,2,3],'rotation':[0,0,0,1],'scale':[1,2,3]},"
+                                + "{'mesh':1,'skin':0},{'camera':0,'matrix':[1,0,0,0,0,1,0,0,0,0,1,0,0,0,5,1],'children':[3]},"
+                                + "{'mesh':0,'weights':[0.25],'extensions':{'KHR_lights_punctual':{'light':1}}},"
+                                + "{'mesh':2,'extensions':{'EXT_mesh_gpu_instancing':{'attributes':{'TRANSLATION':7}}}}]")
                 .with("cameras", "[{'type':'perspective','perspective':{'yfov':0.7,'znear':0.1,'aspectRatio':1.5}}]")
-                .with("meshes", "[{'weights':[0.5],'primitives':[{'attributes':{'POSITION':0,'NORMAL':1,'TEXCOORD_0':2,"
-                        + "'COLOR_0':3},'indices':4,'material':0,'targets':[{'POSITION':1}]}]},"
-                        + "{'primitives':[{'attributes':{'POSITION':0,'NORMAL':1,'JOINTS_0':5,'WEIGHTS_0':6},"
-                        + "'mode':6,'material':1}]},{'primitives':[{'attributes':{'POSITION':8},'mode':5}]}]")
+                .with(
+                        "meshes",
+                        "[{'weights':[0.5],'primitives':[{'attributes':{'POSITION':0,'NORMAL':1,'TEXCOORD_0':2,"
+                                + "'COLOR_0':3},'indices':4,'material':0,'targets':[{'POSITION':1}]}]},"
+                                + "{'primitives':[{'attributes':{'POSITION':0,'NORMAL':1,'JOINTS_0':5,'WEIGHTS_0':6},"
+                                + "'mode':6,'material':1}]},{'primitives':[{'attributes':{'POSITION':8},'mode':5}]}]")
                 .with("skins", "[{'joints':[0,2]}]")
                 .with("images", "[{'uri':'data:image/png;base64," + MaterialTest.PNG + "'}]")
                 .with("samplers", "[{'magFilter':9729,'minFilter':9987,'wrapS':10497,'wrapT':33071}]")
                 .with("textures", "[{'source':0,'sampler':0}]")
-                .with("materials", "[{'pbrMetallicRoughness':{'baseColorFactor':[1,0.5,0.5,0.9],'baseColorTexture':"
-                        + texture + ",'metallicFactor':0.5,'roughnessFactor':0.3,'metallicRoughnessTexture':" + texture
-                        + "},'normalTexture':" + texture + ",'emissiveFactor':[1,1,0],'emissiveTexture':" + texture
-                        + ",'alphaMode':'MASK','alphaCutoff':0.25,'doubleSided':true,'extensions':{'KHR_materials_sheen':"
-                        + "{'sheenColorFactor':[1,0,0]},'KHR_materials_clearcoat':{'clearcoatFactor':1}}},"
-                        + "{'extensions':{'KHR_materials_transmission':{'transmissionFactor':1},'KHR_materials_volume':"
-                        + "{'thicknessFactor':1,'attenuationDistance':2,'attenuationColor':[0.5,0.6,0.7]},"
-                        + "'KHR_materials_ior':{'ior':1.4},'KHR_materials_anisotropy':{'anisotropyStrength':0.5}}}]");
+                .with(
+                        "materials",
+                        "[{'pbrMetallicRoughness':{'baseColorFactor':[1,0.5,0.5,0.9],'baseColorTexture':"
+                                + texture + ",'metallicFactor':0.5,'roughnessFactor':0.3,'metallicRoughnessTexture':"
+                                + texture
+                                + "},'normalTexture':" + texture + ",'emissiveFactor':[1,1,0],'emissiveTexture':"
+                                + texture
+                                + ",'alphaMode':'MASK','alphaCutoff':0.25,'doubleSided':true,'extensions':{'KHR_materials_sheen':"
+                                + "{'sheenColorFactor':[1,0,0]},'KHR_materials_clearcoat':{'clearcoatFactor':1}}},"
+                                + "{'extensions':{'KHR_materials_transmission':{'transmissionFactor':1},'KHR_materials_volume':"
+                                + "{'thicknessFactor':1,'attenuationDistance':2,'attenuationColor':[0.5,0.6,0.7]},"
+                                + "'KHR_materials_ior':{'ior':1.4},'KHR_materials_anisotropy':{'anisotropyStrength':0.5}}}]");
     }
 
     /** True if the file is refused. */

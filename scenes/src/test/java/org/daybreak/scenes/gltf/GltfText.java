@@ -127,8 +127,7 @@ final class GltfText {
     byte[] binary() {
         byte[] text = padded(json("").getBytes(StandardCharsets.UTF_8), ' ');
         byte[] data = padded(buffer.toByteArray(), 0);
-        ByteBuffer out =
-                ByteBuffer.allocate(28 + text.length + data.length).order(ByteOrder.LITTLE_ENDIAN);
+        ByteBuffer out = ByteBuffer.allocate(28 + text.length + data.length).order(ByteOrder.LITTLE_ENDIAN);
         out.putInt(0x46546c67).putInt(2).putInt(out.capacity());
         out.putInt(text.length).putInt(0x4e4f534a).put(text);
         out.putInt(data.length).putInt(0x004e4942).put(data);

@@ -92,7 +92,9 @@ class LoadedSceneTest {
                 .root()
                 .children();
         Instance first = assertInstanceOf(Instance.class, nodes.get(0));
-        assertSame(first.prototype(), assertInstanceOf(Instance.class, nodes.get(1)).prototype());
+        assertSame(
+                first.prototype(),
+                assertInstanceOf(Instance.class, nodes.get(1)).prototype());
     }
 
     @Test

@@ -43,7 +43,8 @@ class MaterialTest {
     }
 
     private ObjectDescription bsdf(String material) throws IOException {
-        return Descriptions.child(read("'POSITION':0,'TEXCOORD_0':1", material).only(ObjectKind.SHAPE), ObjectKind.BSDF);
+        return Descriptions.child(
+                read("'POSITION':0,'TEXCOORD_0':1", material).only(ObjectKind.SHAPE), ObjectKind.BSDF);
     }
 
     /** The principled material inside the two-sided one. */
@@ -117,13 +118,13 @@ class MaterialTest {
                         "'POSITION':0,'TEXCOORD_0':1,'COLOR_0':2",
                         "{'pbrMetallicRoughness':{'baseColorTexture':{'index':0}}}")
                 .only(ObjectKind.SHAPE);
-        ObjectDescription p =
-                Descriptions.child(Descriptions.child(shape, ObjectKind.BSDF), ObjectKind.BSDF);
+        ObjectDescription p = Descriptions.child(Descriptions.child(shape, ObjectKind.BSDF), ObjectKind.BSDF);
         ObjectDescription product = Descriptions.nested(p, "base_color");
         assertEquals("bitmap", Descriptions.nested(product, "first").type());
         assertEquals("mesh_attribute", Descriptions.nested(product, "second").type());
         assertArrayEquals(
-                new float[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, Descriptions.mesh(shape).colors());
+                new float[] {1, 0, 0, 0, 1, 0, 0, 0, 1},
+                Descriptions.mesh(shape).colors());
     }
 
     @Test
@@ -149,8 +150,7 @@ class MaterialTest {
         // Without a texture it is decided here.
         String half = "'pbrMetallicRoughness':{'baseColorFactor':[1,1,1,0.5]}";
         assertEquals("twosided", bsdf("{'alphaMode':'MASK'," + half + "}").type());
-        assertEquals(
-                0, Descriptions.number(bsdf("{'alphaMode':'MASK','alphaCutoff':0.6," + half + "}"), "opacity"));
+        assertEquals(0, Descriptions.number(bsdf("{'alphaMode':'MASK','alphaCutoff':0.6," + half + "}"), "opacity"));
     }
 
     @Test
@@ -169,8 +169,7 @@ class MaterialTest {
         assertEquals(
                 List.of(),
                 Descriptions.children(
-                        read("'POSITION':0", "{'emissiveFactor':[0,0,0]}").only(ObjectKind.SHAPE),
-                        ObjectKind.EMITTER));
+                        read("'POSITION':0", "{'emissiveFactor':[0,0,0]}").only(ObjectKind.SHAPE), ObjectKind.EMITTER));
     }
 
     @Test
@@ -190,8 +189,7 @@ class MaterialTest {
 
     @Test
     void normalMaps() throws IOException {
-        ObjectDescription map =
-                Descriptions.child(bsdf("{'normalTexture':{'index':0,'scale':0.5}}"), ObjectKind.BSDF);
+        ObjectDescription map = Descriptions.child(bsdf("{'normalTexture':{'index':0,'scale':0.5}}"), ObjectKind.BSDF);
         assertEquals("normalmap", map.type());
         assertEquals(0.5, Descriptions.number(map, "scale"));
         assertEquals("against_v", Descriptions.text(map, "green"));
@@ -227,8 +225,10 @@ class MaterialTest {
 
     @Test
     void usesOfATextureAreDescribedOnce() throws IOException {
-        GltfText text = text("'POSITION':0,'TEXCOORD_0':1", "{'pbrMetallicRoughness':{'baseColorTexture':{'index':0}}},"
-                        + "{'pbrMetallicRoughness':{'baseColorTexture':{'index':0}}}")
+        GltfText text = text(
+                        "'POSITION':0,'TEXCOORD_0':1",
+                        "{'pbrMetallicRoughness':{'baseColorTexture':{'index':0}}},"
+                                + "{'pbrMetallicRoughness':{'baseColorTexture':{'index':0}}}")
                 .with(
                         "meshes",
                         "[{'primitives':[{'attributes':{'POSITION':0,'TEXCOORD_0':1},'material':0},"
@@ -285,7 +285,8 @@ class MaterialTest {
         assertEquals(0.7, Descriptions.number(p, "clearcoat"));
         assertEquals((0.1 - 0.04) / 0.099, Descriptions.number(p, "clearcoat_gloss"), 1e-12);
         assertEquals(0.5, Descriptions.number(p, "sheen"), 1e-6);
-        // α across is 0.25, along it is 0.25 + 0.75 · 0.25; the principled material makes them α/a and αa, a² = 1 − 0.9 x.
+        // α across is 0.25, along it is 0.25 + 0.75 · 0.25; the principled material makes them α/a and αa, a² = 1 − 0.9
+        // x.
         double a = Math.sqrt(1 - 0.9 * Descriptions.number(p, "anisotropic"));
         double alpha = Math.pow(Descriptions.number(p, "roughness"), 2);
         assertEquals(0.4375, alpha / a, 1e-12);

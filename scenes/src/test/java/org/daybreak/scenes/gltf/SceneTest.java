@@ -53,8 +53,7 @@ class SceneTest {
         GltfText text = triangle("[{'mesh':0},{'translation':[5,0,0],'children':[2]},{'mesh':0}]")
                 .with("scenes", "[{'nodes':[0]},{'nodes':[1]}]");
         assertEquals(0, Descriptions.transform(read(text).only(ObjectKind.SHAPE)).m03);
-        assertEquals(
-                5, Descriptions.transform(read(text.with("scene", "1")).only(ObjectKind.SHAPE)).m03);
+        assertEquals(5, Descriptions.transform(read(text.with("scene", "1")).only(ObjectKind.SHAPE)).m03);
     }
 
     @Test
@@ -159,7 +158,6 @@ class SceneTest {
     @Test
     void unknownExtensionsThatAreNotRequiredGiveAWarning() throws IOException {
         Descriptions read = read(triangle("[{'mesh':0}]").with("extensionsUsed", "['KHR_texture_transform','X_y']"));
-        assertEquals(
-                List.of("/extensionsUsed/1 uses the extension X_y, which is not supported"), read.warnings());
+        assertEquals(List.of("/extensionsUsed/1 uses the extension X_y, which is not supported"), read.warnings());
     }
 }
