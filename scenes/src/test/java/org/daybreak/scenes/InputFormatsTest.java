@@ -15,6 +15,7 @@ import org.daybreak.scenes.build.PropertyDefinition;
 import org.daybreak.scenes.build.ValueType;
 import org.daybreak.scenes.description.ObjectKind;
 import org.daybreak.scenes.description.SceneException;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -76,7 +77,7 @@ class InputFormatsTest {
                 xml.append(
                         plugin.type().equals("instance")
                                 ? "<shape type='shapegroup'><shape type='disk'/></shape>"
-                                : p.kind() == ObjectKind.SHAPE ? "<shape type='disk'/>" : "<bsdf type='diffuse'/>");
+                                : nested(p.kind()).repeat((int) p.minimum()));
             } else if (p.type() == ValueType.FILE) {
                 String ending = plugin.kind() == ObjectKind.SHAPE ? plugin.type() : "png";
                 xml.append("<string name='filename' value='t.").append(ending).append("'/>");
@@ -98,10 +99,16 @@ class InputFormatsTest {
         return xml.append("</").append(plugin.kind().element()).append(">").toString();
     }
 
+    private static String nested(@Nullable ObjectKind kind) {
+        return kind == ObjectKind.SHAPE
+                ? "<shape type='disk'/>"
+                : kind == ObjectKind.TEXTURE ? "<texture type='checkerboard'/>" : "<bsdf type='diffuse'/>";
+    }
+
     private static String element(PropertyDefinition p, String value) {
         return switch (p.type()) {
             case INTEGER -> "integer";
-            case FLOAT -> "float";
+            case FLOAT, TEXTURED_NUMBER -> "float";
             case BOOLEAN -> "boolean";
             case POINT -> "point";
             case COLOR, REFLECTANCE, EMISSION, TEXTURED_EMISSION -> "rgb";

@@ -59,9 +59,7 @@ final class MeshBuilder {
         }
         if (p.truth("face_normals")) {
             TriangleMesh flat = mesh;
-            return new Mesh(
-                    flattened.computeIfAbsent(flat, m -> withNormals(m, null)),
-                    true);
+            return new Mesh(flattened.computeIfAbsent(flat, m -> withNormals(m, null)), true);
         }
         if (mesh.normals() != null) {
             return new Mesh(mesh, false);
