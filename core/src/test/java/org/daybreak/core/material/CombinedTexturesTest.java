@@ -78,12 +78,12 @@ class CombinedTexturesTest {
         Bsdf diffuse = new Diffuse(ConstantTexture.grey(0.8));
         for (double vAlongT : new double[] {-1, 1}) {
             point.vAlongT = vAlongT;
-            double left = value(new NormalMap(tilted, diffuse), 0.3);
-            double right = value(new NormalMap(tilted, diffuse), -0.3);
+            double left = value(new NormalMap(tilted, diffuse, false), 0.3);
+            double right = value(new NormalMap(tilted, diffuse, false), -0.3);
             assertTrue(left > right);
-            Bsdf against = new NormalMap(tilted, 1, true, diffuse);
+            Bsdf against = new NormalMap(tilted, 1, true, diffuse, false);
             assertEquals(vAlongT < 0 ? left : right, value(against, 0.3), 1e-12);
-            assertEquals(value(diffuse, 0.3), value(new NormalMap(tilted, 0, true, diffuse), 0.3), 1e-12);
+            assertEquals(value(diffuse, 0.3), value(new NormalMap(tilted, 0, true, diffuse, false), 0.3), 1e-12);
         }
     }
 

@@ -175,6 +175,9 @@ final class BsdfBuilder {
         } else if (!p.mentions("alpha_u") || !p.mentions("alpha_v")) {
             context.error(location, "'alpha_u' and 'alpha_v' must be given together");
         }
+        if (!p.has("alpha_u") || !p.has("alpha_v")) {
+            return Roughness.of(DEFAULT_ALPHA);
+        }
         return Roughness.of(textures.texture(p, "alpha_u"), textures.texture(p, "alpha_v"));
     }
 
@@ -255,7 +258,8 @@ final class BsdfBuilder {
                         textures.texture(p, "normalmap"),
                         p.number("scale"),
                         p.text("green").equals("against_v"),
-                        bsdf(nested.object(), nested.location()));
+                        bsdf(nested.object(), nested.location()),
+                        p.truth("use_shadowing_function"));
     }
 
     private @Nullable Bsdf bumpMap(Properties p) {
@@ -266,7 +270,8 @@ final class BsdfBuilder {
                 : new BumpMap(
                         textures.texture(height.object(), height.location()),
                         p.number("scale"),
-                        bsdf(nested.object(), nested.location()));
+                        bsdf(nested.object(), nested.location()),
+                        p.truth("use_shadowing_function"));
     }
 
     private static Microfacet.Kind distribution(Properties p) {

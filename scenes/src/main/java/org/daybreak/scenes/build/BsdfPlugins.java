@@ -42,9 +42,9 @@ final class BsdfPlugins {
         List<PropertyDefinition> anisotropic = List.of(
                 value("alpha", ValueType.TEXTURED_NUMBER, "0.1", "Roughness; excludes the next two.")
                         .between(1e-6, 10),
-                value("alpha_u", ValueType.TEXTURED_NUMBER, "0.1", "Roughness along the texture coordinate u.")
+                optional("alpha_u", ValueType.TEXTURED_NUMBER, "Roughness along the texture coordinate u.")
                         .between(1e-6, 10),
-                value("alpha_v", ValueType.TEXTURED_NUMBER, "0.1", "Roughness across it.")
+                optional("alpha_v", ValueType.TEXTURED_NUMBER, "Roughness across it.")
                         .between(1e-6, 10));
         PropertyDefinition glass =
                 value("int_ior", ValueType.REFRACTIVE_INDEX, "bk7", "Refractive index behind the surface.");
@@ -119,7 +119,8 @@ final class BsdfPlugins {
                         "green",
                         "along_t",
                         List.of("along_t", "against_v"),
-                        "Direction of the green component: across u to the left, or that in which v falls."),
+                        "Direction of the green component: across u to the left, or that in which v falls."
+                                + " Not in Mitsuba."),
                 objects(ObjectKind.BSDF, 1, 1, "The material.")));
         list.add(plugin(
                 ObjectKind.BSDF,

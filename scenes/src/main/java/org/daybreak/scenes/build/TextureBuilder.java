@@ -170,6 +170,10 @@ final class TextureBuilder {
         TextureImage known = images.get(key);
         if (known == null) {
             LoadedImage loaded = loader.get();
+            if (loaded != null && channel.equals("a") && loaded.channels() % 2 != 0) {
+                context.error(p.location("channel"), "the image has no alpha channel");
+                return null;
+            }
             known = loaded == null ? null : textureImage(loaded, raw, channel, name, p.location("filename"));
             if (known != null) {
                 images.put(key, known);
@@ -181,9 +185,10 @@ final class TextureBuilder {
     private @Nullable TextureImage textureImage(
             LoadedImage loaded, boolean raw, String channel, String name, SourceLocation location) {
         try {
-            LoadedImage used = channel.equals("all") ? loaded : loaded.channel("rgba".indexOf(channel));
+            boolean opacity = channel.equals("a") || channel.equals("opacity");
+            LoadedImage used = channel.equals("all") ? loaded : loaded.channel(opacity ? 3 : "rgb".indexOf(channel));
             // Opacity is never encoded.
-            boolean linear = raw || channel.equals("a");
+            boolean linear = raw || opacity;
             if (used instanceof LoadedImage.Bytes b) {
                 return linear
                         ? TextureImage.fromRawBytes(b.width(), b.height(), b.channels(), b.samples())

@@ -21,20 +21,24 @@ final class TexturePlugins {
         list.add(plugin(
                 ObjectKind.TEXTURE,
                 "bitmap",
-                "Image file; its first row is at v = 0. Opacity is only used as channel a.",
+                "Image file; its first row is at v = 0. Alpha is dropped unless it is the channel.",
                 optional("filename", ValueType.FILE, "The file.").asRequired(),
                 choice("filter_type", "bilinear", List.of("bilinear", "nearest"), "Interpolation."),
                 choice("wrap_mode", "repeat", List.of("repeat", "mirror", "clamp"), "What lies outside the image."),
-                choice("wrap_mode_v", null, List.of("repeat", "mirror", "clamp"), "The same along v, if it differs."),
+                choice(
+                        "wrap_mode_v",
+                        null,
+                        List.of("repeat", "mirror", "clamp"),
+                        "What lies above and below it; default wrap_mode. Not in Mitsuba."),
                 value("raw", ValueType.BOOLEAN, "false", "Takes values of 8 and 16 bits as linear instead of sRGB."),
+                toUv,
                 choice(
                         "channel",
                         "all",
-                        List.of("all", "r", "g", "b", "a"),
-                        "Takes one channel as a grey image; a is opacity, which is linear."),
-                value("uv_set", ValueType.INTEGER, "0", "1 to lay it over the second texture coordinates of a mesh.")
+                        List.of("all", "r", "g", "b", "a", "opacity"),
+                        "Takes one channel as a grey image; opacity is a, or 1 where there is none. Not in Mitsuba."),
+                value("uv_set", ValueType.INTEGER, "0", "1 for the second texture coordinates; not in Mitsuba.")
                         .between(0, 1),
-                toUv,
                 optional("format", ValueType.STRING, NO_EFFECT),
                 optional("accel", ValueType.BOOLEAN, NO_EFFECT)));
         list.add(plugin(
@@ -59,13 +63,13 @@ final class TexturePlugins {
         list.add(plugin(
                 ObjectKind.TEXTURE,
                 "product",
-                "Product of two textures, component by component.",
+                "Product of two textures, component by component; not in Mitsuba.",
                 value("first", ValueType.TEXTURED_EMISSION, "1", "The one factor."),
                 value("second", ValueType.TEXTURED_EMISSION, "1", "The other factor.")));
         list.add(plugin(
                 ObjectKind.TEXTURE,
                 "threshold",
-                "1 where a texture reaches a cutoff, 0 elsewhere: for cut-out shapes.",
+                "1 where a texture reaches a cutoff, 0 elsewhere: for cut-out shapes; not in Mitsuba.",
                 value("value", ValueType.TEXTURED_EMISSION, "1", "The texture; of colours the luminance counts."),
                 value("cutoff", ValueType.FLOAT, "0.5", "Smallest value that gives 1.")));
     }

@@ -137,7 +137,7 @@ final class MaterialWriter {
         if (geometry.hasVertexOpacity()) {
             report.warning(material, "is used with vertex colours whose opacity is ignored");
         }
-        Value alpha = scaled(alphaFactor, texture(pbr, "baseColorTexture", Channel.ALPHA));
+        Value alpha = scaled(alphaFactor, texture(pbr, "baseColorTexture", Channel.OPACITY));
         if (mode.equals("MASK")) {
             double cutoff = material.number("alphaCutoff", 0.5, 0, Double.MAX_VALUE);
             alpha = alpha instanceof Value.RealNumber n

@@ -42,7 +42,7 @@ final class Textures {
         RED(true, "r"),
         GREEN(true, "g"),
         BLUE(true, "b"),
-        ALPHA(true, "a");
+        OPACITY(true, "opacity");
 
         private final boolean raw;
         private final String id;

@@ -96,7 +96,8 @@ public final class StandardImageLoader implements ImageLoader {
                 return new LoadedImage.Floats(width, height, channels, samples, false);
             }
         }
-        return new LoadedImage.Bytes(width, height, 3, packed(image, width, height));
+        int count = image.getColorModel().hasAlpha() ? 4 : 3;
+        return new LoadedImage.Bytes(width, height, count, packed(image, width, height, count));
     }
 
     private static byte[] bytes(Raster raster, int width, int height, int channels) {
@@ -125,8 +126,8 @@ public final class StandardImageLoader implements ImageLoader {
         return samples;
     }
 
-    private static byte[] packed(BufferedImage image, int width, int height) {
-        byte[] samples = new byte[width * height * 3];
+    private static byte[] packed(BufferedImage image, int width, int height, int channels) {
+        byte[] samples = new byte[width * height * channels];
         int[] row = new int[width];
         int i = 0;
         for (int y = 0; y < height; y++) {
@@ -135,6 +136,9 @@ public final class StandardImageLoader implements ImageLoader {
                 samples[i++] = (byte) (argb >> 16);
                 samples[i++] = (byte) (argb >> 8);
                 samples[i++] = (byte) argb;
+                if (channels == 4) {
+                    samples[i++] = (byte) (argb >> 24);
+                }
             }
         }
         return samples;

@@ -137,7 +137,7 @@ class MaterialTest {
         ObjectDescription opacity = Descriptions.nested(blend, "opacity");
         assertEquals(new Value.RealNumber(0.75), Descriptions.value(opacity, "scale"));
         ObjectDescription alpha = Descriptions.child(opacity, ObjectKind.TEXTURE);
-        assertEquals("a", Descriptions.text(alpha, "channel"));
+        assertEquals("opacity", Descriptions.text(alpha, "channel"));
         assertEquals(new Value.Switch(true), Descriptions.value(alpha, "raw"));
         assertEquals("twosided", Descriptions.child(blend, ObjectKind.BSDF).type());
 
