@@ -64,7 +64,7 @@ public final class SceneReader {
             problems.error(
                     SourceLocation.of(file), "a mesh has no attributes that could use the definition '" + name + "'");
         }
-        SceneBuilder.Result result = SceneBuilder.build(ModelReader.read(file), images, problems);
+        SceneBuilder.Result result = SceneBuilder.build(ModelReader.read(file, problems), images, problems);
         problems.throwIfErrors();
         AutoView.complete(result.graph(), ModelReader.zPointsUp(file) ? AutoView.UpAxis.Z : AutoView.UpAxis.Y);
         return new SceneFile(result.graph(), result.request(), problems.warnings());

@@ -16,6 +16,8 @@ import org.daybreak.scenes.description.SceneException;
 import org.daybreak.scenes.mesh.MeshFormatException;
 import org.daybreak.scenes.mesh.ObjReader;
 import org.daybreak.scenes.mesh.PlyReader;
+import org.daybreak.scenes.mesh.SerializedReader;
+import org.daybreak.scenes.mesh.SerializedReaderTest;
 import org.daybreak.scenes.mesh.StlReader;
 import org.daybreak.scenes.mesh.StlReaderTest;
 import org.junit.jupiter.api.Test;
@@ -37,6 +39,18 @@ class MutationTest {
             + "<scale value='2'/><matrix value='1 0 0 0 1 0 0 0 1'/></transform></shape>\n"
             + "<shape type='ply'><string name='filename' value='t.ply'/><emitter type='area'/></shape>"
             + "<emitter type='spot'><spectrum name='intensity' value='3'/></emitter><!-- end -->\n</scene>\n";
+    private static final String OLD_SCENE =
+            "<scene version='0.5.0'><integrator type='bdpt'><integer name='maxDepth' value='5'/>"
+                    + "</integrator><sensor type='perspective'><float name='focusDistance' value='2'/><transform name='toWorld'>"
+                    + "<lookAt origin='0,0,5' target='0,0,0' up='0,1,0'/></transform><sampler type='halton'>"
+                    + "<integer name='sampleCount' value='4'/></sampler><film type='ldrfilm'><integer name='width' value='8'/>"
+                    + "<float name='gamma' value='2.2'/></film></sensor><bsdf type='mixturebsdf' id='m'>"
+                    + "<string name='weights' value='.2,.3,.5'/><bsdf type='diffuse'><spectrum name='reflectance' "
+                    + "value='400:.1,500:.3,700:.2'/></bsdf><bsdf type='plastic'><srgb name='diffuseReflectance' value='#102030'/>"
+                    + "</bsdf><bsdf type='diffuse'/></bsdf><shape type='ply'><string name='filename' value='t.ply'/>"
+                    + "<bsdf type='diffuse'><texture name='reflectance' type='checkerboard'><float name='uscale' value='3'/>"
+                    + "</texture></bsdf></shape><emitter type='constant'><blackbody name='radiance' temperature='5000K' "
+                    + "scale='1e-4'/></emitter></scene>";
     private static final String OBJ = """
             # cube corner
             v 0 0 0
@@ -186,5 +200,29 @@ class MutationTest {
     @Test
     void binaryStlFiles() throws IOException {
         mutate("b.stl", StlReaderTest.binary("solid or not", 3, 0), 6, file -> StlReader.read(file));
+    }
+
+    @Test
+    void serializedFiles() throws IOException {
+        mutate("t.serialized", SerializedReaderTest.file(4, 0x100f, 2), 7, file -> SerializedReader.read(file, 1));
+        mutate("t.serialized", SerializedReaderTest.file(3, 0x2001, 2), 8, file -> SerializedReader.read(file, 0));
+    }
+
+    @Test
+    void oldScenes() throws IOException {
+        Files.writeString(folder.resolve("t.ply"), PLY);
+        mutate(
+                "scene.xml",
+                OLD_SCENE.getBytes(StandardCharsets.UTF_8),
+                9,
+                file -> new SceneReader().load(file, Map.of()));
+    }
+
+    @Test
+    void asciiPlyStrips() throws IOException {
+        String strips = PLY.substring(0, PLY.indexOf("element face"))
+                + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                + "0 0 0 1 1 0 0 2 1 1 0 3 0 1 0.5 4\n8 0 1 2 3 -1 1 2 3\n";
+        mutate("s.ply", strips.getBytes(StandardCharsets.UTF_8), 10, file -> PlyReader.read(file, false));
     }
 }

@@ -29,7 +29,11 @@ public final class SurfaceSamplers {
             return new MeshSampler(CubeMesh.MESH, toWorld, flipNormals);
         }
         if (shape instanceof Cylinder cylinder) {
-            return new CylinderSampler(toWorld.multiply(ShapeFrames.of(cylinder)), flipNormals);
+            return new CylinderSampler(toWorld.multiply(ShapeFrames.of(cylinder)), 0, false, flipNormals);
+        }
+        if (shape instanceof Cone cone) {
+            return new CylinderSampler(
+                    toWorld.multiply(ShapeFrames.of(cone)), cone.taper(), cone.widens(), flipNormals);
         }
         throw new AssertionError("no sampler for " + shape.getClass());
     }

@@ -75,8 +75,8 @@ public final class SceneCompiler {
             bsdfs.add(node.material());
             Shape geometry = wound(node.shape());
             Texture radiance = node.radiance();
-            boolean textured = node.material().textured() || (radiance != null && !radiance.isConstant());
-            builder.add(index, geometry, shape.toLevel(), node.flipNormals(), textured);
+            ShadingNeeds needs = ShadingNeeds.of(node.material(), radiance);
+            builder.add(index, geometry, shape.toLevel(), node.flipNormals(), needs);
             if (radiance == null) {
                 lightOfShape.add(-1);
             } else {
@@ -123,7 +123,7 @@ public final class SceneCompiler {
                         wound(node.shape()),
                         shape.toLevel(),
                         node.flipNormals(),
-                        node.material().textured());
+                        ShadingNeeds.of(node.material(), null));
                 bsdfs.add(node.material());
             }
             LevelGeometry geometry = builder.build();

@@ -127,6 +127,14 @@ class SurfaceSamplerTest {
                 2 * Math.PI * 0.5 * 4,
                 area(new Cylinder(new Point3d(), new Point3d(0, 4, 0), 0.5), Transform.identity()),
                 1e-9);
+        assertEquals(
+                Math.PI * (2 + 0.5) * Math.hypot(4, 1.5),
+                area(new Cone(new Point3d(), new Point3d(0, 4, 0), 0.5, 2), Transform.identity()),
+                1e-9);
+        assertEquals(
+                Math.PI * 2 * Math.hypot(4, 2),
+                area(new Cone(new Point3d(), new Point3d(0, 0, 4), 2, 0), Transform.identity()),
+                1e-9);
         assertEquals(8 * (2 * 3 + 3 * 4 + 2 * 4), area(new Cube(), Transform.scale(2, 3, 4)), 1e-9);
         // Oblate spheroid, a = 2, c = 1: 2πa²(1 + (1 − e²)/e · artanh e), e² = 3/4.
         double e = Math.sqrt(0.75);

@@ -1,0 +1,39 @@
+package org.daybreak.scenes.build;
+
+import static org.daybreak.scenes.build.Plugins.NO_EFFECT;
+import static org.daybreak.scenes.build.Plugins.plugin;
+import static org.daybreak.scenes.build.PropertyDefinition.choice;
+import static org.daybreak.scenes.build.PropertyDefinition.optional;
+import static org.daybreak.scenes.build.PropertyDefinition.value;
+
+import java.util.List;
+import org.daybreak.scenes.description.ObjectKind;
+
+/** The textures that scene files may contain. Names and defaults are those of Mitsuba 3.9. */
+final class TexturePlugins {
+    private TexturePlugins() {}
+
+    /** Appends all textures. */
+    static void addTo(List<PluginDefinition> list) {
+        PropertyDefinition toUv =
+                optional("to_uv", ValueType.TRANSFORM, "Applied to texture coordinates; x, y and translation count.");
+        list.add(plugin(
+                ObjectKind.TEXTURE,
+                "bitmap",
+                "Image file; its first row is at v = 0. Alpha is dropped.",
+                optional("filename", ValueType.FILE, "The file.").asRequired(),
+                choice("filter_type", "bilinear", List.of("bilinear", "nearest"), "Interpolation."),
+                choice("wrap_mode", "repeat", List.of("repeat", "mirror", "clamp"), "What lies outside the image."),
+                value("raw", ValueType.BOOLEAN, "false", "Takes values of 8 and 16 bits as linear instead of sRGB."),
+                toUv,
+                optional("format", ValueType.STRING, NO_EFFECT),
+                optional("accel", ValueType.BOOLEAN, NO_EFFECT)));
+        list.add(plugin(
+                ObjectKind.TEXTURE,
+                "checkerboard",
+                "Four squares per unit of texture space.",
+                value("color0", ValueType.TEXTURED_EMISSION, "0.4", "Colour of the square at (0, 0)."),
+                value("color1", ValueType.TEXTURED_EMISSION, "0.2", "The other colour."),
+                toUv));
+    }
+}
