@@ -131,12 +131,12 @@ class OldDialectTest {
         var errors = SceneTexts.errors(
                 folder,
                 HEAD + "\n<bsdf type='irawan' id='a'/>\n<medium type='homogeneous' id='m'/>\n"
-                        + "<integrator type='pathh'/></scene>");
+                        + "<shape type='spheer'/></scene>");
         assertTrue(errors.stream().anyMatch(e -> e.location().line() == 3), () -> errors.toString());
         String all = errors.toString();
         assertTrue(all.contains("'irawan' is not supported"), all);
         assertTrue(all.contains("<medium>: participating media are not supported"), all);
-        assertTrue(all.contains("did you mean 'path'?"), all);
+        assertTrue(all.contains("did you mean 'sphere'?"), all);
     }
 
     private static LightSource light(SceneFile file) {

@@ -24,6 +24,12 @@ final class CylinderSampler implements SurfaceSampler {
     /** |det M|. */
     private final double volume;
 
+    /** Rows of the inverse map. */
+    private final double[] inverse;
+
+    private final double centreX;
+    private final double centreY;
+    private final double centreZ;
     private final SurfaceMoments moments;
     private final double offset;
 
@@ -44,8 +50,12 @@ final class CylinderSampler implements SurfaceSampler {
             double scale = side * volume / stretch;
             builder.add(2 * Math.PI / STEPS * meanRadius * stretch, scale * n[0], scale * n[1], scale * n[2]);
         }
+        inverse = toWorld.inverse().rows();
         double[] c = new double[3];
         toWorld.applyPoint(0, 0, 0.5, c);
+        centreX = c[0];
+        centreY = c[1];
+        centreZ = c[2];
         // |±h + a·cos φ + b·sin φ| with half the axis h: both parts of the square at their largest.
         double hx = 0.5 * m[2];
         double hy = 0.5 * m[6];
@@ -111,7 +121,27 @@ final class CylinderSampler implements SurfaceSampler {
 
     @Override
     public double irradiance(double px, double py, double pz, double nx, double ny, double nz) {
-        return moments.irradiance(px, py, pz, nx, ny, nz);
+        return moments.irradiance(px, py, pz, nx, ny, nz, facing(px - centreX, py - centreY, pz - centreZ));
+    }
+
+    /** Area that the front turns to a direction of any length: ∫ max(0, n·w) dA in closed form, as n dA is linear in n. */
+    private double facing(double wx, double wy, double wz) {
+        double length = Math.sqrt(wx * wx + wy * wy + wz * wz);
+        if (!(length > 0)) {
+            return 0;
+        }
+        double scale = side * volume * meanRadius / length;
+        double qx = scale * (inverse[0] * wx + inverse[1] * wy + inverse[2] * wz);
+        double qy = scale * (inverse[4] * wx + inverse[5] * wy + inverse[6] * wz);
+        double h = taper * scale * (inverse[8] * wx + inverse[9] * wy + inverse[10] * wz);
+        double r = Math.sqrt(qx * qx + qy * qy);
+        if (h >= r) {
+            return 2 * Math.PI * h;
+        }
+        if (h <= -r) {
+            return 0;
+        }
+        return 2 * (h * Arcs.acos(-h / r) + Math.sqrt(r * r - h * h));
     }
 
     /**
