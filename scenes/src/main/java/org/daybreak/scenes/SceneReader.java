@@ -67,7 +67,7 @@ public final class SceneReader {
                     SourceLocation.of(file), "only XML has attributes that could use the definition '" + name + "'");
         }
         Optional<SceneDescription> description =
-                GltfReader.isGltf(file) ? GltfReader.read(file, problems) : Optional.of(ModelReader.read(file));
+                GltfReader.isGltf(file) ? GltfReader.read(file, problems) : Optional.of(ModelReader.read(file, problems));
         if (description.isEmpty()) {
             throw new SceneException(problems.errors());
         }

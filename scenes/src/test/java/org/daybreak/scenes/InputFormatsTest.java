@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
@@ -15,6 +16,7 @@ import org.daybreak.scenes.build.PropertyDefinition;
 import org.daybreak.scenes.build.ValueType;
 import org.daybreak.scenes.description.ObjectKind;
 import org.daybreak.scenes.description.SceneException;
+import org.daybreak.scenes.mesh.SerializedReaderTest;
 import org.daybreak.scenes.mesh.StlReaderTest;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -48,6 +50,7 @@ class InputFormatsTest {
                 0 0 0 1 0 0 0 1 0 3 0 1 2
                 """);
         SceneTexts.write(folder, "t.stl", StlReaderTest.FACET);
+        Files.write(folder.resolve("t.serialized"), SerializedReaderTest.file(4, 0x1000, 1));
         ImageIO.write(
                 new BufferedImage(2, 1, BufferedImage.TYPE_INT_RGB),
                 "png",

@@ -43,7 +43,11 @@ final class SensorPlugins {
                 value("shutter_close", ValueType.FLOAT, "0", Plugins.NO_EFFECT),
                 objects(ObjectKind.FILM, 0, 1, "The image."),
                 objects(ObjectKind.SAMPLER, 0, 1, "Samples per pixel."));
-        list.add(plugin(ObjectKind.SENSOR, "perspective", "Pinhole camera.", join(common)));
+        list.add(plugin(
+                ObjectKind.SENSOR,
+                "perspective",
+                "Pinhole camera.",
+                join(common, optional("focus_distance", ValueType.FLOAT, Plugins.NO_EFFECT))));
         list.add(plugin(
                 ObjectKind.SENSOR,
                 "thinlens",

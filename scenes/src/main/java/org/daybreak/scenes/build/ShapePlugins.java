@@ -29,6 +29,10 @@ final class ShapePlugins {
                         common,
                         file,
                         faceNormals,
+                        optional(
+                                "material",
+                                ValueType.STRING,
+                                "Only the faces that follow this usemtl; not in Mitsuba."),
                         value(
                                 "flip_tex_coords",
                                 ValueType.BOOLEAN,
@@ -86,6 +90,16 @@ final class ShapePlugins {
                         value("p0", ValueType.POINT, "0, 0, 0", "Centre of one end."),
                         value("p1", ValueType.POINT, "0, 0, 1", "Centre of the other end."),
                         value("radius", ValueType.FLOAT, "1", "Radius.").positive())));
+        list.add(Plugins.plugin(
+                ObjectKind.SHAPE,
+                "cone",
+                "Cone or frustum without caps, normal outwards. Not in Mitsuba.",
+                Plugins.join(
+                        common,
+                        value("p0", ValueType.POINT, "0, 0, 0", "Centre of one end."),
+                        value("p1", ValueType.POINT, "0, 0, 1", "Centre of the other end."),
+                        value("radius0", ValueType.FLOAT, "1", "Radius at p0.").between(0, Double.MAX_VALUE),
+                        value("radius1", ValueType.FLOAT, "0", "Radius at p1.").between(0, Double.MAX_VALUE))));
         list.add(Plugins.plugin(
                 ObjectKind.SHAPE,
                 "shapegroup",
