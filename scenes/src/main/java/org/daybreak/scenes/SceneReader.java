@@ -66,8 +66,9 @@ public final class SceneReader {
             problems.error(
                     SourceLocation.of(file), "only XML has attributes that could use the definition '" + name + "'");
         }
-        Optional<SceneDescription> description =
-                GltfReader.isGltf(file) ? GltfReader.read(file, problems) : Optional.of(ModelReader.read(file, problems));
+        Optional<SceneDescription> description = GltfReader.isGltf(file)
+                ? GltfReader.read(file, problems)
+                : Optional.of(ModelReader.read(file, problems));
         if (description.isEmpty()) {
             throw new SceneException(problems.errors());
         }
