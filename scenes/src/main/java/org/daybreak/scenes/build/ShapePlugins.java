@@ -13,15 +13,7 @@ final class ShapePlugins {
 
     /** Appends all types of shapes. */
     static void addTo(List<PluginDefinition> list) {
-        List<PropertyDefinition> common = List.of(
-                optional("to_world", ValueType.TRANSFORM, "Shape to world."),
-                value("flip_normals", ValueType.BOOLEAN, "false", "Exchanges front and back."),
-                objects(
-                        ObjectKind.BSDF,
-                        0,
-                        1,
-                        "Material; diffuse with reflectance 0.5 if there is none, 0 on a shape that emits."),
-                objects(ObjectKind.EMITTER, 0, 1, "Makes the shape a light."));
+        List<PropertyDefinition> common = common();
         PropertyDefinition file =
                 optional("filename", ValueType.FILE, "The file.").asRequired();
         PropertyDefinition faceNormals = value(
@@ -37,6 +29,10 @@ final class ShapePlugins {
                         common,
                         file,
                         faceNormals,
+                        optional(
+                                "material",
+                                ValueType.STRING,
+                                "Only the faces that follow this usemtl; not in Mitsuba."),
                         value(
                                 "flip_tex_coords",
                                 ValueType.BOOLEAN,
@@ -96,6 +92,16 @@ final class ShapePlugins {
                         value("radius", ValueType.FLOAT, "1", "Radius.").positive())));
         list.add(Plugins.plugin(
                 ObjectKind.SHAPE,
+                "cone",
+                "Cone or frustum without caps, normal outwards. Not in Mitsuba.",
+                Plugins.join(
+                        common,
+                        value("p0", ValueType.POINT, "0, 0, 0", "Centre of one end."),
+                        value("p1", ValueType.POINT, "0, 0, 1", "Centre of the other end."),
+                        value("radius0", ValueType.FLOAT, "1", "Radius at p0.").between(0, Double.MAX_VALUE),
+                        value("radius1", ValueType.FLOAT, "0", "Radius at p1.").between(0, Double.MAX_VALUE))));
+        list.add(Plugins.plugin(
+                ObjectKind.SHAPE,
                 "shapegroup",
                 "Shapes that only appear through instances.",
                 objects(ObjectKind.SHAPE, 1, Plugins.MANY, "The shapes.")));
@@ -105,5 +111,27 @@ final class ShapePlugins {
                 "Appearance of a shapegroup; its geometry is stored once.",
                 optional("to_world", ValueType.TRANSFORM, "Group to world."),
                 objects(ObjectKind.SHAPE, 1, 1, "The shapegroup, usually by reference.")));
+    }
+
+    /** A mesh that a reader of another format has decoded; scene files cannot contain it. */
+    static PluginDefinition meshInMemory() {
+        return Plugins.plugin(
+                ObjectKind.SHAPE,
+                "mesh",
+                "Mesh in memory.",
+                Plugins.join(
+                        common(), optional("mesh", ValueType.MESH, "The mesh.").asRequired()));
+    }
+
+    private static List<PropertyDefinition> common() {
+        return List.of(
+                optional("to_world", ValueType.TRANSFORM, "Shape to world."),
+                value("flip_normals", ValueType.BOOLEAN, "false", "Exchanges front and back."),
+                objects(
+                        ObjectKind.BSDF,
+                        0,
+                        1,
+                        "Material; diffuse with reflectance 0.5 if there is none, 0 on a shape that emits."),
+                objects(ObjectKind.EMITTER, 0, 1, "Makes the shape a light."));
     }
 }
