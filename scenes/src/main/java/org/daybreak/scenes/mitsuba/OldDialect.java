@@ -64,7 +64,7 @@ final class OldDialect {
             case FILM -> film(e);
             case RFILTER -> filter(e);
             case SAMPLER -> sampler(e);
-            case SHAPE -> e.remove("collapse", "srgb");
+            case SHAPE -> shape(e);
             case BSDF -> OldMaterials.translate(e);
             case TEXTURE -> texture(e);
             case EMITTER -> emitter(e);
@@ -87,6 +87,18 @@ final class OldDialect {
             result.append(c);
         }
         return result.toString().toLowerCase(Locale.ROOT).replace("__", "_");
+    }
+
+    private static void shape(ObjectEditor e) {
+        e.remove("collapse", "srgb");
+        if (e.has("max_smooth_angle")) {
+            e.warn("max_smooth_angle", "'maxSmoothAngle' has no effect");
+            e.remove("max_smooth_angle");
+        }
+        if (e.type().equals("heightfield") && e.has("shading_normals")) {
+            e.put("face_normals", new Value.Switch(!e.isTrue("shading_normals")));
+            e.remove("shading_normals");
+        }
     }
 
     private static void integrator(ObjectEditor e) {
