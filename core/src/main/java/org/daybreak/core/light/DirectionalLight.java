@@ -1,7 +1,9 @@
 package org.daybreak.core.light;
 
 import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.geometry.EmissionBounds;
 import org.daybreak.core.geometry.SurfacePoint;
+import org.jspecify.annotations.Nullable;
 
 /** Parallel light from infinity (Mitsuba's {@code directional}). */
 public final class DirectionalLight implements Light {
@@ -70,6 +72,11 @@ public final class DirectionalLight implements Light {
             return luminance;
         }
         return luminance * Math.max(0, -(nx * dx + ny * dy + nz * dz));
+    }
+
+    @Override
+    public @Nullable EmissionBounds bounds() {
+        return null;
     }
 
     @Override

@@ -8,6 +8,9 @@ public final class LightChoice {
     /** Probability with which it was chosen, positive; what {@link LightSelection#probability} gives for it. */
     public double probability;
 
+    /** Room for intermediate results of the selections, so that they need not allocate. */
+    final double[] scratch = new double[2];
+
     /** Creates an empty choice. */
     public LightChoice() {}
 

@@ -2,34 +2,18 @@ package org.daybreak.core.scene;
 
 import javax.vecmath.Color3f;
 import org.daybreak.core.color.Spectrum;
-import org.daybreak.core.geometry.Shape;
-import org.daybreak.core.geometry.SurfaceSampler;
-import org.daybreak.core.geometry.SurfaceSamplers;
-import org.daybreak.core.light.AreaLight;
 import org.daybreak.core.light.ConstantEnvironment;
 import org.daybreak.core.light.DirectionalLight;
 import org.daybreak.core.light.ImageEnvironment;
 import org.daybreak.core.light.Light;
 import org.daybreak.core.light.PointLight;
 import org.daybreak.core.light.SpotLight;
-import org.daybreak.core.material.Texture;
 import org.daybreak.core.math.Bounds;
 import org.daybreak.core.math.Transform;
 
 /** Turns light descriptions into lights. */
 final class LightCompiler {
     private LightCompiler() {}
-
-    /**
-     * The light of an emitting shape.
-     *
-     * @param shape the shape, wound as it is intersected
-     * @param index number of the shape in the scene
-     */
-    static Light areaLight(Shape shape, Texture radiance, Transform toWorld, boolean flipNormals, int index) {
-        SurfaceSampler surface = SurfaceSamplers.of(shape, toWorld, flipNormals);
-        return new AreaLight(surface, radiance, index);
-    }
 
     /**
      * A light that is no shape.
