@@ -18,6 +18,7 @@ import org.daybreak.scenes.description.ObjectKind;
 import org.daybreak.scenes.description.SceneException;
 import org.daybreak.scenes.mesh.SerializedReaderTest;
 import org.daybreak.scenes.mesh.StlReaderTest;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -84,7 +85,7 @@ class InputFormatsTest {
                 xml.append(
                         plugin.type().equals("instance")
                                 ? "<shape type='shapegroup'><shape type='disk'/></shape>"
-                                : p.kind() == ObjectKind.SHAPE ? "<shape type='disk'/>" : "<bsdf type='diffuse'/>");
+                                : nested(p.kind()).repeat((int) p.minimum()));
             } else if (p.type() == ValueType.FILE) {
                 boolean image =
                         plugin.kind() != ObjectKind.SHAPE || plugin.type().equals("heightfield");
@@ -108,10 +109,16 @@ class InputFormatsTest {
         return xml.append("</").append(plugin.kind().element()).append(">").toString();
     }
 
+    private static String nested(@Nullable ObjectKind kind) {
+        return kind == ObjectKind.SHAPE
+                ? "<shape type='disk'/>"
+                : kind == ObjectKind.TEXTURE ? "<texture type='checkerboard'/>" : "<bsdf type='diffuse'/>";
+    }
+
     private static String element(PropertyDefinition p, String value) {
         return switch (p.type()) {
             case INTEGER -> "integer";
-            case FLOAT -> "float";
+            case FLOAT, TEXTURED_NUMBER -> "float";
             case BOOLEAN -> "boolean";
             case POINT -> "point";
             case COLOR, REFLECTANCE, EMISSION, TEXTURED_EMISSION -> "rgb";

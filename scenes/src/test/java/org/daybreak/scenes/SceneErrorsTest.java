@@ -119,15 +119,37 @@ class SceneErrorsTest {
                                 + "<rgb name='color1' value='3'/></texture></bsdf>",
                         "must not exceed 1 but its texture reaches 3"),
                 arguments(
-                        "<bsdf type='conductor'>§<string name='material' value='Au'/></bsdf>",
-                        "metals by name ('Au') are not supported"),
-                arguments(
                         "<bsdf type='roughplastic'>§<texture name='alpha' type='checkerboard'/></bsdf>",
                         "but is a texture"),
                 arguments(
-                        "<bsdf type='roughconductor'>§<float name='alpha_u' value='0.1'/>"
-                                + "<float name='alpha_v' value='0.2'/></bsdf>",
-                        "anisotropic roughness is not supported"),
+                        "<bsdf type='conductor'>§<string name='material' value='Aul'/></bsdf>",
+                        "there is no metal 'Aul' (give 'eta' and 'k' for others); did you mean 'Al'"),
+                arguments(
+                        "<bsdf type='conductor'>§<string name='material' value='Au'/><rgb name='k' value='1'/></bsdf>",
+                        "not both"),
+                arguments(
+                        "<bsdf type='roughconductor'><float name='alpha' value='0.1'/>"
+                                + "§<float name='alpha_u' value='0.1'/><float name='alpha_v' value='0.2'/></bsdf>",
+                        "not both"),
+                arguments(
+                        "<bsdf type='principled'>§<float name='eta' value='1.5'/>"
+                                + "<float name='specular' value='0.5'/></bsdf>",
+                        "either 'eta' or 'specular'"),
+                arguments(
+                        "<bsdf type='principled'>§<float name='roughness' value='1.5'/></bsdf>",
+                        "a float or a texture with values from 0 to 1"),
+                arguments(
+                        "§<bsdf type='roughdielectric'><float name='int_ior' value='1.5'/>"
+                                + "<float name='ext_ior' value='1.5'/></bsdf>",
+                        "must differ"),
+                arguments(
+                        "§<bsdf type='leaf'><float name='reflectance' value='0.6'/></bsdf>",
+                        "front reflectance and transmittance must not exceed 1 together"),
+                arguments("§<bsdf type='blendbsdf'><bsdf type='diffuse'/></bsdf>", "must contain exactly 2 <bsdf>"),
+                arguments(
+                        "<bsdf type='bumpmap'>§<texture type='mesh_attribute'><string name='name' value='x'/>"
+                                + "</texture><bsdf type='diffuse'/></bsdf>",
+                        "only mesh attribute"),
                 arguments("<bsdf type='roughconductor'>§<float name='alpha_u' value='0.1'/></bsdf>", "given together"),
                 arguments(
                         "<bsdf type='roughconductor'>§<string name='distribution' value='phong'/></bsdf>",

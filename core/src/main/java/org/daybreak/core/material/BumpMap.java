@@ -15,10 +15,11 @@ public final class BumpMap extends PerturbedBsdf {
      *
      * @param height displacement along the normal; of colours the luminance counts
      * @param scale world units per unit of the texture
+     * @param shadowed whether tilted facets shadow each other, which softens the edge of darkness
      * @throws IllegalArgumentException if the scale is not finite or the texture has no derivatives
      */
-    public BumpMap(Texture height, double scale, Bsdf nested) {
-        super(nested);
+    public BumpMap(Texture height, double scale, Bsdf nested, boolean shadowed) {
+        super(nested, shadowed);
         if (!Double.isFinite(scale)) {
             throw new IllegalArgumentException("the scale of a bump map must be finite but is " + scale);
         }

@@ -12,9 +12,13 @@ public final class NormalMap extends PerturbedBsdf {
 
     private final Texture normals;
 
-    /** Creates a normal map over a material. */
-    public NormalMap(Texture normals, Bsdf nested) {
-        super(nested);
+    /**
+     * Creates a normal map over a material.
+     *
+     * @param shadowed whether tilted facets shadow each other, which softens the edge of darkness
+     */
+    public NormalMap(Texture normals, Bsdf nested, boolean shadowed) {
+        super(nested, shadowed);
         this.normals = normals;
     }
 

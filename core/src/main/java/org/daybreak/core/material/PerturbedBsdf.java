@@ -17,9 +17,11 @@ abstract class PerturbedBsdf implements Bsdf {
     private static final double GRAZING = 1e-12;
 
     private final Bsdf nested;
+    private final boolean shadowed;
 
-    PerturbedBsdf(Bsdf nested) {
+    PerturbedBsdf(Bsdf nested, boolean shadowed) {
         this.nested = nested;
+        this.shadowed = shadowed;
     }
 
     /** Slope −n_x/n_z of the tilted surface along s of the shading frame. */
@@ -96,9 +98,7 @@ abstract class PerturbedBsdf implements Bsdf {
                 iz,
                 mode,
                 value);
-        if (mode == TransportMode.IMPORTANCE) {
-            value.scale(Math.abs(oz * wiZ / (woZ * iz)));
-        }
+        value.scale(factor(slopeS * slopeS + slopeT * slopeT, woZ, oz, wiZ, iz, mode));
         return density;
     }
 
@@ -183,13 +183,31 @@ abstract class PerturbedBsdf implements Bsdf {
             out.weight.set(out.weight.r / density, out.weight.g / density, out.weight.b / density);
             out.setContinuous(density);
             out.eta = eta;
-        } else if (mode == TransportMode.IMPORTANCE) {
-            out.weight.scale(Math.abs(oz * wiZ / (woZ * iz)));
+        } else {
+            out.weight.scale(factor(slopeS * slopeS + slopeT * slopeT, woZ, oz, wiZ, iz, mode));
         }
         out.wiX = wiX;
         out.wiY = wiY;
         out.wiZ = wiZ;
         return true;
+    }
+
+    /**
+     * The adjoint's quotient of cosines, times the shadow that the tilted facets throw (Estevez, Lecocq and Stein 2019, “A
+     * Microfacet-Based Shadowing Function to Solve the Bump Terminator Problem”): GGX of α² = tan²θ_n/8 for the direction
+     * that light comes from.
+     *
+     * @param squaredTangent tan²θ_n of the tilted normal
+     */
+    private double factor(double squaredTangent, double woZ, double oz, double wiZ, double iz, TransportMode mode) {
+        boolean radiance = mode == TransportMode.RADIANCE;
+        double quotient = radiance ? 1 : Math.abs(oz * wiZ / (woZ * iz));
+        if (!shadowed) {
+            return quotient;
+        }
+        double cosine = Math.min(1, Math.abs(radiance ? wiZ : woZ));
+        double alpha = Math.sqrt(Math.min(1, 0.125 * squaredTangent));
+        return quotient * cosine * Microfacet.maskingOverCosine(Microfacet.Kind.GGX, alpha, cosine);
     }
 
     private static boolean sameSide(double tilted, double upright) {

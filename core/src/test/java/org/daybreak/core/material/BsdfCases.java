@@ -217,16 +217,16 @@ final class BsdfCases {
         list.add(new Case("blend with null", new Blend(ConstantTexture.grey(0.2), ggx, new NullBsdf())));
         list.add(new Case("null", new NullBsdf()));
         Texture tilted = new ConstantTexture(0.65, 0.4, 0.9);
-        list.add(new Case("normal map", new NormalMap(tilted, diffuse)));
-        list.add(new Case("normal map over glass", new NormalMap(tilted, glass)));
-        list.add(new Case("normal map over mirror", new NormalMap(tilted, Conductor.mirror(tint()))));
+        list.add(new Case("normal map", new NormalMap(tilted, diffuse, true)));
+        list.add(new Case("normal map over glass", new NormalMap(tilted, glass, false)));
+        list.add(new Case("normal map over mirror", new NormalMap(tilted, Conductor.mirror(tint()), true)));
         float[] heights = {0, 1, 0.5f, 0.25f};
         Texture bumps = new BitmapTexture(
                 TextureImage.fromFloats(2, 2, 1, heights),
                 BitmapTexture.Filter.BILINEAR,
                 BitmapTexture.Wrap.REPEAT,
                 new double[] {1, 0, 0, 0, 1, 0});
-        list.add(new Case("bump map", new BumpMap(bumps, 0.2, diffuse)));
+        list.add(new Case("bump map", new BumpMap(bumps, 0.2, diffuse, true)));
     }
 
     /** Both sides, along the normal, oblique and grazing. */

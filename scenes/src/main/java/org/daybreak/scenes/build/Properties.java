@@ -128,7 +128,7 @@ final class Properties {
         PropertyDefinition definition = definition(name);
         Set<String> textured = new TreeSet<>();
         for (PropertyDefinition d : plugin.properties()) {
-            if (d.type() == ValueType.REFLECTANCE || d.type() == ValueType.TEXTURED_EMISSION) {
+            if (d.type().isTextured()) {
                 textured.add(d.name());
             }
         }
@@ -216,6 +216,8 @@ final class Properties {
             case REFRACTIVE_INDEX -> refractiveIndexProblem(value);
             case COLOR -> colorProblem(value, definition.type(), definition.minimum(), definition.maximum());
             case REFLECTANCE -> colorProblem(value, definition.type(), 0, 1);
+            case TEXTURED_NUMBER ->
+                colorProblem(value, definition.type(), definition.minimum(), definition.maximum());
             case EMISSION, TEXTURED_EMISSION -> colorProblem(value, definition.type(), 0, Double.POSITIVE_INFINITY);
             case TRANSFORM -> value instanceof Value.Transform t ? Affine.problem(t.matrix()) : wrongType(value);
             case OBJECT -> wrongType(value);
@@ -383,10 +385,13 @@ final class Properties {
         return textures.get(name);
     }
 
-    /** True if a textured property must not exceed 1. */
-    boolean isReflectance(String name) {
+    /** What the values of a textured property must not exceed. */
+    double textureLimit(String name) {
         PropertyDefinition definition = definition(name);
-        return definition != null && definition.type() == ValueType.REFLECTANCE;
+        if (definition == null || definition.type() == ValueType.TEXTURED_EMISSION) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return definition.type() == ValueType.TEXTURED_NUMBER ? definition.maximum() : 1;
     }
 
     /** The contained objects of a kind. */

@@ -85,6 +85,7 @@ public record PropertyDefinition(
             case REFRACTIVE_INDEX -> "a float greater than 0 or the name of a substance";
             case COLOR -> "an rgb or a float";
             case REFLECTANCE -> "an rgb, a float or a texture with values from 0 to 1";
+            case TEXTURED_NUMBER -> "a float or a texture with values" + range(false);
             case EMISSION -> "an rgb or a float, not negative";
             case TEXTURED_EMISSION -> "an rgb, a float or a texture, not negative";
             case TRANSFORM -> "a transform";
@@ -96,6 +97,9 @@ public record PropertyDefinition(
         String what = "<" + name + ">";
         if (maximum == 1) {
             return minimum == 1 ? "one " + what : "at most one " + what;
+        }
+        if (minimum == maximum) {
+            return "exactly " + (int) minimum + " " + what;
         }
         if (maximum < Integer.MAX_VALUE) {
             return (int) minimum + " to " + (int) maximum + " " + what;

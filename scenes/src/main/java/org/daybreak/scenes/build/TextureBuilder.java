@@ -12,9 +12,12 @@ import org.daybreak.core.light.RadianceMap;
 import org.daybreak.core.material.BitmapTexture;
 import org.daybreak.core.material.CheckerboardTexture;
 import org.daybreak.core.material.ConstantTexture;
+import org.daybreak.core.material.ScaledTexture;
 import org.daybreak.core.material.Texture;
 import org.daybreak.core.material.TextureImage;
+import org.daybreak.core.material.VertexColorTexture;
 import org.daybreak.scenes.description.ObjectDescription;
+import org.daybreak.scenes.description.ObjectKind;
 import org.daybreak.scenes.description.SourceLocation;
 import org.daybreak.scenes.image.ImageLoader;
 import org.daybreak.scenes.image.LoadedImage;
@@ -40,14 +43,16 @@ final class TextureBuilder {
             return new ConstantTexture(rgb[0], rgb[1], rgb[2]);
         }
         Texture texture = texture(child.object(), child.location());
-        if (owner.isReflectance(name) && texture.maximum() > 1) {
+        double limit = owner.textureLimit(name);
+        if (texture.maximum() > limit) {
             context.error(
                     child.location(),
                     String.format(
                             Locale.ROOT,
-                            "'%s' of %s must not exceed 1 but its texture reaches %s",
+                            "'%s' of %s must not exceed %s but its texture reaches %s",
                             name,
                             owner.object().label(),
+                            limit == Math.rint(limit) ? String.format(Locale.ROOT, "%.0f", limit) : limit,
                             texture.maximum()));
             return PLACEHOLDER;
         }
@@ -70,9 +75,36 @@ final class TextureBuilder {
         if (p == null) {
             return null;
         }
-        if (object.type().equals("checkerboard")) {
-            return new CheckerboardTexture(texture(p, "color0"), texture(p, "color1"), uvTransform(p));
+        switch (object.type()) {
+            case "checkerboard":
+                return new CheckerboardTexture(texture(p, "color0"), texture(p, "color1"), uvTransform(p));
+            case "mesh_attribute":
+                return vertexColors(p);
+            case "scaled":
+                return scaled(p);
+            default:
+                return bitmap(p);
         }
+    }
+
+    private Texture vertexColors(Properties p) {
+        String attribute = p.text("name");
+        if (!attribute.equals("vertex_color")) {
+            context.error(p.location("name"), "the only mesh attribute is 'vertex_color', not '" + attribute + "'");
+        }
+        return new VertexColorTexture(p.number("scale"));
+    }
+
+    private @Nullable Texture scaled(Properties p) {
+        Properties.Child nested = p.child(ObjectKind.TEXTURE);
+        if (nested == null) {
+            return null;
+        }
+        double[] scale = p.color("scale");
+        return new ScaledTexture(texture(nested.object(), nested.location()), scale[0], scale[1], scale[2]);
+    }
+
+    private @Nullable Texture bitmap(Properties p) {
         TextureImage image = image(p);
         if (image == null) {
             return null;
@@ -84,7 +116,7 @@ final class TextureBuilder {
             case "clamp" -> BitmapTexture.Wrap.CLAMP;
             default -> BitmapTexture.Wrap.REPEAT;
         };
-        return new BitmapTexture(image, filter, wrap, uvTransform(p));
+        return new BitmapTexture(image, filter, wrap, uvTransform(p), p.integer("uv_set") == 1);
     }
 
     /** The part of a transform that acts on texture coordinates: as in Mitsuba, the translation is that of the last column. */
@@ -99,16 +131,49 @@ final class TextureBuilder {
             return null;
         }
         boolean raw = p.truth("raw");
-        String key = raw + " " + file.toAbsolutePath().normalize();
+        String channel = p.text("channel");
+        String key = raw + " " + channel + " " + file.toAbsolutePath().normalize();
         TextureImage known = images.get(key);
         if (known == null) {
             LoadedImage loaded = load(file, p.location("filename"));
-            known = loaded == null ? null : textureImage(loaded, raw, file, p.location("filename"));
+            LoadedImage wanted = loaded == null ? null : channel(loaded, channel, p.location("channel"));
+            // Alpha is never encoded.
+            boolean linear = raw || channel.equals("a");
+            known = wanted == null ? null : textureImage(wanted, linear, file, p.location("filename"));
             if (known != null) {
                 images.put(key, known);
             }
         }
         return known;
+    }
+
+    /** One channel of an image as a grey one; null after an error that has been reported. */
+    private @Nullable LoadedImage channel(LoadedImage image, String channel, SourceLocation location) {
+        if (channel.equals("all")) {
+            return image;
+        }
+        int channels = image.channels();
+        boolean colored = channels >= 3;
+        boolean hasAlpha = channels == 2 || channels == 4;
+        if (channel.equals("a") && !hasAlpha) {
+            context.error(location, "the image has no alpha channel");
+            return null;
+        }
+        int index = channel.equals("a") ? channels - 1 : colored ? "rgb".indexOf(channel) : 0;
+        int pixels = image.width() * image.height();
+        if (image instanceof LoadedImage.Bytes b) {
+            byte[] grey = new byte[pixels];
+            for (int i = 0; i < pixels; i++) {
+                grey[i] = b.samples()[channels * i + index];
+            }
+            return new LoadedImage.Bytes(b.width(), b.height(), 1, grey);
+        }
+        LoadedImage.Floats f = (LoadedImage.Floats) image;
+        float[] grey = new float[pixels];
+        for (int i = 0; i < pixels; i++) {
+            grey[i] = f.samples()[channels * i + index];
+        }
+        return new LoadedImage.Floats(f.width(), f.height(), 1, grey, f.encoded());
     }
 
     private @Nullable TextureImage textureImage(LoadedImage loaded, boolean raw, Path file, SourceLocation location) {

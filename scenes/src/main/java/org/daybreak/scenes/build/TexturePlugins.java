@@ -3,13 +3,14 @@ package org.daybreak.scenes.build;
 import static org.daybreak.scenes.build.Plugins.NO_EFFECT;
 import static org.daybreak.scenes.build.Plugins.plugin;
 import static org.daybreak.scenes.build.PropertyDefinition.choice;
+import static org.daybreak.scenes.build.PropertyDefinition.objects;
 import static org.daybreak.scenes.build.PropertyDefinition.optional;
 import static org.daybreak.scenes.build.PropertyDefinition.value;
 
 import java.util.List;
 import org.daybreak.scenes.description.ObjectKind;
 
-/** The textures that scene files may contain. Names and defaults are those of Mitsuba 3.9. */
+/** The textures that scene files may contain. Names and defaults are those of Mitsuba 3.9 where it has the same. */
 final class TexturePlugins {
     private TexturePlugins() {}
 
@@ -26,6 +27,13 @@ final class TexturePlugins {
                 choice("wrap_mode", "repeat", List.of("repeat", "mirror", "clamp"), "What lies outside the image."),
                 value("raw", ValueType.BOOLEAN, "false", "Takes values of 8 and 16 bits as linear instead of sRGB."),
                 toUv,
+                choice(
+                        "channel",
+                        "all",
+                        List.of("all", "r", "g", "b", "a"),
+                        "Takes one channel as a grey image; Mitsuba has no such property."),
+                value("uv_set", ValueType.INTEGER, "0", "1 for the second texture coordinates; not in Mitsuba.")
+                        .between(0, 1),
                 optional("format", ValueType.STRING, NO_EFFECT),
                 optional("accel", ValueType.BOOLEAN, NO_EFFECT)));
         list.add(plugin(
@@ -35,5 +43,17 @@ final class TexturePlugins {
                 value("color0", ValueType.TEXTURED_EMISSION, "0.4", "Colour of the square at (0, 0)."),
                 value("color1", ValueType.TEXTURED_EMISSION, "0.2", "The other colour."),
                 toUv));
+        list.add(plugin(
+                ObjectKind.TEXTURE,
+                "mesh_attribute",
+                "Colours of the vertices of a mesh, white on shapes without.",
+                value("name", ValueType.STRING, "vertex_color", "Must be 'vertex_color'."),
+                value("scale", ValueType.FLOAT, "1", "Factor on the colours.").between(0, Double.MAX_VALUE)));
+        list.add(plugin(
+                ObjectKind.TEXTURE,
+                "scaled",
+                "A texture times a colour; not in Mitsuba.",
+                value("scale", ValueType.EMISSION, "1", "The factor."),
+                objects(ObjectKind.TEXTURE, 1, 1, "The texture.")));
     }
 }

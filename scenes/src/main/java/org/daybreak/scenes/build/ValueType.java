@@ -22,6 +22,8 @@ public enum ValueType {
     COLOR,
     /** A colour or a texture with values from 0 to 1. */
     REFLECTANCE,
+    /** A number from a range or a texture of such numbers, of colours their luminance. */
+    TEXTURED_NUMBER,
     /** Emitted radiance or intensity: a colour, the same everywhere. */
     EMISSION,
     /** Emitted radiance: a colour or a texture. */
@@ -29,5 +31,10 @@ public enum ValueType {
     /** An affine transform. */
     TRANSFORM,
     /** Nested objects of one kind. */
-    OBJECT
+    OBJECT;
+
+    /** True if a texture can take the place of a value. */
+    boolean isTextured() {
+        return this == REFLECTANCE || this == TEXTURED_NUMBER || this == TEXTURED_EMISSION;
+    }
 }
