@@ -99,7 +99,8 @@ public final class ForestMemory {
         float[] positions = new float[3 * (triangles + 2)];
         int[] corners = new int[3 * triangles];
         for (int i = 0; i < triangles + 2; i++) {
-            double along = (double) (i / 2) / (triangles / 2 + 1);
+            int pair = i / 2;
+            double along = pair / (0.5 * triangles + 1);
             double width = 0.2 * Math.sin(Math.PI * (0.02 + 0.96 * along));
             positions[3 * i] = (float) along;
             positions[3 * i + 1] = (float) (i % 2 == 0 ? width : -width);

@@ -26,8 +26,9 @@ public final class HeightField {
         float[] positions = new float[3 * heights.length];
         float[] uvs = new float[2 * heights.length];
         for (int i = 0; i < heights.length; i++) {
-            double u = (double) (i % width) / (width - 1);
-            double v = (double) (i / width) / (height - 1);
+            int row = i / width;
+            double u = (double) (i - row * width) / (width - 1);
+            double v = (double) row / (height - 1);
             positions[3 * i] = (float) (2 * u - 1);
             positions[3 * i + 1] = (float) (2 * v - 1);
             positions[3 * i + 2] = (float) (scale * heights[i]);
