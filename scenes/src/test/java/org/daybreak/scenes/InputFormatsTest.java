@@ -50,9 +50,12 @@ class InputFormatsTest {
                 0 0 0 1 0 0 0 1 0 3 0 1 2
                 """);
         SceneTexts.write(folder, "t.stl", StlReaderTest.FACET);
+        for (String curve : new String[] {"t.bsplinecurve", "t.linearcurve"}) {
+            SceneTexts.write(folder, curve, "0 0 0 1\n1 0 0 1\n2 1 0 1\n3 1 1 0.5\n");
+        }
         Files.write(folder.resolve("t.serialized"), SerializedReaderTest.file(4, 0x1000, 1));
         ImageIO.write(
-                new BufferedImage(2, 1, BufferedImage.TYPE_INT_RGB),
+                new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB),
                 "png",
                 folder.resolve("t.png").toFile());
         String object = object(plugin);
@@ -84,7 +87,9 @@ class InputFormatsTest {
                                 ? "<shape type='shapegroup'><shape type='disk'/></shape>"
                                 : nested(p.kind()).repeat((int) p.minimum()));
             } else if (p.type() == ValueType.FILE) {
-                String ending = plugin.kind() == ObjectKind.SHAPE ? plugin.type() : "png";
+                boolean image =
+                        plugin.kind() != ObjectKind.SHAPE || plugin.type().equals("heightfield");
+                String ending = image ? "png" : plugin.type();
                 xml.append("<string name='filename' value='t.").append(ending).append("'/>");
             } else if (p.name().equals("aperture_radius")) {
                 xml.append("<float name='aperture_radius' value='0.1'/>");

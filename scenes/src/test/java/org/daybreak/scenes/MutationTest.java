@@ -13,6 +13,7 @@ import java.util.Arrays;
 import java.util.Map;
 import java.util.SplittableRandom;
 import org.daybreak.scenes.description.SceneException;
+import org.daybreak.scenes.mesh.CurveReader;
 import org.daybreak.scenes.mesh.MeshFormatException;
 import org.daybreak.scenes.mesh.ObjReader;
 import org.daybreak.scenes.mesh.PlyReader;
@@ -263,5 +264,11 @@ class MutationTest {
         Files.writeString(folder.resolve("m.mtl"), MTL);
         String obj = "mtllib m.mtl\n" + OBJ.replace("f -4", "usemtl b\nf -4");
         mutate("m.obj", obj.getBytes(StandardCharsets.UTF_8), 12, file -> new SceneReader().load(file, Map.of()));
+    }
+
+    @Test
+    void curveFiles() throws IOException {
+        String text = "0 0 0 1\n1 0.5 0 1\n2 1e0 0 .5\n3 1 1 0\n\n0 0 0 1\n1 1 1 1\n2 1 0 1\n2 2 2 2\n";
+        mutate("t.txt", text.getBytes(StandardCharsets.UTF_8), 13, file -> CurveReader.read(file));
     }
 }

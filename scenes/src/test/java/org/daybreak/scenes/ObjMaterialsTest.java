@@ -47,10 +47,18 @@ class ObjMaterialsTest {
 
     @Test
     void everyMaterialBecomesAShape() throws IOException, SceneException {
-        SceneFile file = load(
-                "f 1 2 3\nusemtl red one\nf 1 3 4\nf 1 2 4\nusemtl green\nf 2 3 4\ng other\nusemtl red one\nf 4 3 2\n"
-                        + "usemtl unused\n",
-                "# c\nnewmtl red one\nKd 0.8 0.1 0.1\nillum 1\nnewmtl green\nkd .1 .7 .1\n");
+        SceneFile file = load("""
+                f 1 2 3
+                usemtl red one
+                f 1 3 4
+                f 1 2 4
+                usemtl green
+                f 2 3 4
+                g other
+                usemtl red one
+                f 4 3 2
+                usemtl unused
+                """, "# c\nnewmtl red one\nKd 0.8 0.1 0.1\nillum 1\nnewmtl green\nkd .1 .7 .1\n");
         List<ShapeNode> shapes = SceneTexts.shapes(file.graph().root());
         assertEquals(3, shapes.size());
         assertEquals(
@@ -68,11 +76,35 @@ class ObjMaterialsTest {
 
     @Test
     void kindsOfMaterials() throws IOException, SceneException {
-        SceneFile file = load(
-                "usemtl glass\nf 1 2 3\nusemtl leaf\nf 1 2 3\nusemtl lamp\nf 1 2 3\nusemtl metal\nf 1 2 3\n"
-                        + "usemtl paint\nf 1 2 3\n",
-                "newmtl glass\nNi 1.45\nd 0.1\nillum 4\nnewmtl leaf\nTr 0.25\nnewmtl lamp\nKe 5 4 3\n"
-                        + "newmtl metal\nKd .9 .6 .3\nPm 1\nPr 0.4\nnewmtl paint\nKd .2 .3 .4\nKs .04 .04 .04\nNs 100\n");
+        SceneFile file = load("""
+                usemtl glass
+                f 1 2 3
+                usemtl leaf
+                f 1 2 3
+                usemtl lamp
+                f 1 2 3
+                usemtl metal
+                f 1 2 3
+                usemtl paint
+                f 1 2 3
+                """, """
+                newmtl glass
+                Ni 1.45
+                d 0.1
+                illum 4
+                newmtl leaf
+                Tr 0.25
+                newmtl lamp
+                Ke 5 4 3
+                newmtl metal
+                Kd .9 .6 .3
+                Pm 1
+                Pr 0.4
+                newmtl paint
+                Kd .2 .3 .4
+                Ks .04 .04 .04
+                Ns 100
+                """);
         List<ShapeNode> shapes = SceneTexts.shapes(file.graph().root());
         assertInstanceOf(Dielectric.class, shapes.get(0).material());
         assertInstanceOf(Mask.class, shapes.get(1).material());

@@ -9,8 +9,13 @@ import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Set;
 import javax.vecmath.Matrix4d;
+import org.daybreak.core.geometry.HeightField;
 import org.daybreak.core.geometry.TriangleMesh;
+import org.daybreak.core.geometry.Tubes;
 import org.daybreak.scenes.description.SourceLocation;
+import org.daybreak.scenes.image.ImageLoader;
+import org.daybreak.scenes.image.LoadedImage;
+import org.daybreak.scenes.mesh.CurveReader;
 import org.daybreak.scenes.mesh.MeshFormatException;
 import org.daybreak.scenes.mesh.ObjReader;
 import org.daybreak.scenes.mesh.PlyReader;
@@ -62,15 +67,24 @@ final class MeshBuilder {
         boolean flip = (type.equals("obj") || type.equals("ply")) && p.truth("flip_tex_coords");
         String part = type.equals("obj") && p.has("material") ? p.text("material") : null;
         int index = type.equals("serialized") ? p.integer("shape_index") : 0;
+        String detail = switch (type) {
+            case "bsplinecurve", "linearcurve" -> Integer.toString(p.integer("sides"));
+            case "heightfield" -> Double.toString(p.number("scale"));
+            default -> Integer.toString(index);
+        };
         String key =
-                type + " " + flip + " " + index + " " + file.toAbsolutePath().normalize();
+                type + " " + flip + " " + detail + " " + file.toAbsolutePath().normalize();
         if (part != null) {
             key += " " + part;
             readParts(file, flip, part, key, p.location("material"));
         }
         TriangleMesh mesh = read.get(key);
         if (mesh == null && part == null) {
-            mesh = read(file, type, flip, index, p.location("filename"));
+            mesh = switch (type) {
+                case "bsplinecurve", "linearcurve" -> curves(p, file);
+                case "heightfield" -> heightField(p, file);
+                default -> read(file, type, flip, index, p.location("filename"));
+            };
             if (mesh == null) {
                 return null;
             }
@@ -79,7 +93,8 @@ final class MeshBuilder {
         if (mesh == null) {
             return null;
         }
-        if (p.truth("face_normals") || flat.contains(mesh)) {
+        boolean faces = !type.endsWith("curve") && p.truth("face_normals");
+        if (faces || flat.contains(mesh)) {
             TriangleMesh source = mesh;
             return new Mesh(flattened.computeIfAbsent(source, m -> withNormals(m, null)), true);
         }
@@ -144,6 +159,44 @@ final class MeshBuilder {
                 }
             }
         }
+    }
+
+    private @Nullable TriangleMesh curves(Properties p, Path file) {
+        return guarded(file, p.location("filename"), () -> {
+            double[][] curves = CurveReader.read(file);
+            try {
+                return p.object().type().equals("linearcurve")
+                        ? Tubes.linear(curves, p.integer("sides"))
+                        : Tubes.bspline(curves, p.integer("sides"));
+            } catch (IllegalArgumentException e) {
+                throw new MeshFormatException(0, String.valueOf(e.getMessage()));
+            }
+        });
+    }
+
+    /** Heights are the values of the first channel as they are stored. */
+    private @Nullable TriangleMesh heightField(Properties p, Path file) {
+        String ending = ImageLoader.ending(file);
+        SourceLocation usedAt = p.location("filename");
+        if (!context.images().endings().contains(ending)) {
+            context.error(usedAt, "images of type '" + ending + "' cannot be read");
+            return null;
+        }
+        return guarded(file, usedAt, () -> {
+            LoadedImage image = context.images().load(file);
+            float[] heights = new float[image.width() * image.height()];
+            for (int i = 0; i < heights.length; i++) {
+                int at = image.channels() * i;
+                heights[i] = image instanceof LoadedImage.Bytes b
+                        ? (b.samples()[at] & 0xff) / 255f
+                        : ((LoadedImage.Floats) image).samples()[at];
+            }
+            try {
+                return HeightField.mesh(heights, image.width(), image.height(), p.number("scale"));
+            } catch (IllegalArgumentException e) {
+                throw new MeshFormatException(0, String.valueOf(e.getMessage()));
+            }
+        });
     }
 
     private TriangleMesh serialized(Path file, int index) throws IOException {

@@ -218,9 +218,9 @@ final class Properties {
             }
             case POINT -> value instanceof Value.Triple ? null : wrongType(value);
             case REFRACTIVE_INDEX -> refractiveIndexProblem(value);
-            case COLOR, TEXTURED_NUMBER ->
-                colorProblem(value, definition.type(), definition.minimum(), definition.maximum());
+            case COLOR -> colorProblem(value, definition.type(), definition.minimum(), definition.maximum());
             case REFLECTANCE -> colorProblem(value, definition.type(), 0, 1);
+            case TEXTURED_NUMBER -> colorProblem(value, definition.type(), definition.minimum(), definition.maximum());
             case EMISSION, TEXTURED_EMISSION -> colorProblem(value, definition.type(), 0, Double.POSITIVE_INFINITY);
             case TRANSFORM -> value instanceof Value.Transform t ? Affine.problem(t.matrix()) : wrongType(value);
             case OBJECT -> wrongType(value);

@@ -127,7 +127,7 @@ final class ShapeBuilder {
         Shape shape;
         try {
             switch (p.object().type()) {
-                case "obj", "ply", "stl", "serialized" -> {
+                case "obj", "ply", "stl", "serialized", "bsplinecurve", "linearcurve", "heightfield" -> {
                     MeshBuilder.Mesh mesh = meshes.mesh(p, toWorld);
                     if (mesh == null) {
                         return null;

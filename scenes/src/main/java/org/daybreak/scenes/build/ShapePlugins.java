@@ -69,6 +69,32 @@ final class ShapePlugins {
                                 ValueType.BOOLEAN,
                                 "true",
                                 "Flat triangles. Otherwise normals are computed; those of the file are never used."))));
+        PropertyDefinition sides = value(
+                        "sides", ValueType.INTEGER, "16", "Sides of the cross-section: 16 lie 1.9 % inside the circle.")
+                .between(3, 256);
+        list.add(Plugins.plugin(
+                ObjectKind.SHAPE,
+                "bsplinecurve",
+                "Cubic B-splines as tubes with open ends: a control point x y z r per line, an empty line between curves.",
+                Plugins.join(common, file, sides)));
+        list.add(Plugins.plugin(
+                ObjectKind.SHAPE,
+                "linearcurve",
+                "Polylines as mitred tubes with open ends, in the same format.",
+                Plugins.join(common, file, sides)));
+        list.add(Plugins.plugin(
+                ObjectKind.SHAPE,
+                "heightfield",
+                "Image of heights over [-1, 1]² in z = 0, as a mesh; the first row is at y = -1.",
+                Plugins.join(
+                        common,
+                        file,
+                        faceNormals,
+                        value(
+                                "scale",
+                                ValueType.FLOAT,
+                                "1",
+                                "Factor on the values, which are taken as they are stored."))));
         list.add(Plugins.plugin(
                 ObjectKind.SHAPE,
                 "sphere",

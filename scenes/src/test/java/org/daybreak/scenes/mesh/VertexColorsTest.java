@@ -52,9 +52,19 @@ class VertexColorsTest {
 
     @Test
     void plyTriangleStripsTurnEveryOtherTriangle() throws IOException {
-        String text = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
-                + "0 0 0 1 0 0 0 1 0 1 1 0\n8 0 1 2 3 -1 3 2 1\n";
+        String text = """
+                ply
+                format ascii 1.0
+                element vertex 4
+                property float x
+                property float y
+                property float z
+                element tristrips 1
+                property list int int vertex_indices
+                end_header
+                0 0 0 1 0 0 0 1 0 1 1 0
+                8 0 1 2 3 -1 3 2 1
+                """;
         assertArrayEquals(
                 new int[] {0, 1, 2, 2, 1, 3, 3, 2, 1},
                 PlyReader.read(Files.writeString(folder.resolve("t.ply"), text), false)
