@@ -30,6 +30,10 @@ public final class InputFormats {
                         "Scenes of Mitsuba 3, 2 and 0.6, with <default>, <include>, <ref> and transforms; the types of"
                                 + " objects are listed below."),
                 new Format(
+                        "glTF 2.0",
+                        List.of("gltf", "glb"),
+                        "Scenes, text and binary; camera and light are added where there are none."),
+                new Format(
                         "Wavefront OBJ",
                         List.of("obj"),
                         "Polygon meshes; with the materials of their MTL files when rendered by themselves."),

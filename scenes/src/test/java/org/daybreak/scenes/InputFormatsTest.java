@@ -123,7 +123,7 @@ class InputFormatsTest {
             case POINT -> "point";
             case COLOR, REFLECTANCE, EMISSION, TEXTURED_EMISSION -> "rgb";
             case REFRACTIVE_INDEX, STRING, CHOICE, FILE -> "string";
-            case TRANSFORM, OBJECT -> throw new AssertionError(value);
+            case TRANSFORM, OBJECT, MESH -> throw new AssertionError(value);
         };
     }
 

@@ -415,10 +415,9 @@ class SceneErrorsTest {
                 arguments("§<string name='fov_axis' value='y'/>", "no meaning without 'fov'"),
                 arguments("§<float name='fov' value='180'/>", "but is 180"),
                 arguments("§<transform name='to_world'><scale value='2'/></transform>", "must not scale or shear"),
-                arguments("§<float name='principal_point_offset_x' value='0.1'/>", "from 0 to 0 but is 0.1"),
+                arguments("§<float name='principal_point_offset_x' value='1000'/>", "from -100 to 100 but is 1000.0"),
                 arguments(
-                        "<film type='hdrfilm'>§<rfilter type='lanczos'/></film>",
-                        "rfilter type 'lanczos' is not supported"),
+                        "<film type='hdrfilm'>§<rfilter type='sinc'/></film>", "rfilter type 'sinc' is not supported"),
                 arguments(
                         "<film type='hdrfilm'><rfilter type='mitchell'>§<float name='C' value='0.5'/></rfilter></film>",
                         "C = (1 - B) / 2"));

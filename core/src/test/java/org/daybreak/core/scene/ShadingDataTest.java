@@ -102,7 +102,7 @@ class ShadingDataTest {
         SurfacePoint near = new SurfacePoint();
         String where = shape + (instanced ? ", instance" : "") + (flipped ? ", flipped" : "");
         int checked = 0;
-        for (int i = 0; i < 400; i++) {
+        for (int i = 0; i < 2000; i++) {
             Vector3d d = new Vector3d(random.nextDouble() - 0.5, random.nextDouble() - 0.5, -0.5 - random.nextDouble());
             d.normalize();
             double ox = 0.5 - 3 * d.x + random.nextDouble() - 0.5;

@@ -9,6 +9,7 @@ import org.daybreak.core.geometry.Disk;
 import org.daybreak.core.geometry.Rectangle;
 import org.daybreak.core.geometry.Shape;
 import org.daybreak.core.geometry.Sphere;
+import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.core.material.Bsdf;
 import org.daybreak.core.material.Diffuse;
 import org.daybreak.core.material.Texture;
@@ -134,6 +135,13 @@ final class ShapeBuilder {
                     shape = mesh.mesh();
                     material = material == neutral && mesh.mesh().colors() != null ? COLORED : material;
                     flip ^= mesh.frontByWinding() && Affine.isMirroring(toWorld);
+                }
+                case "mesh" -> {
+                    TriangleMesh mesh = p.mesh("mesh");
+                    if (mesh == null) {
+                        return null;
+                    }
+                    shape = mesh;
                 }
                 case "sphere" -> shape = new Sphere(p.point("center"), p.number("radius"));
                 case "cylinder" -> shape = new Cylinder(p.point("p0"), p.point("p1"), p.number("radius"));

@@ -13,15 +13,7 @@ final class ShapePlugins {
 
     /** Appends all types of shapes. */
     static void addTo(List<PluginDefinition> list) {
-        List<PropertyDefinition> common = List.of(
-                optional("to_world", ValueType.TRANSFORM, "Shape to world."),
-                value("flip_normals", ValueType.BOOLEAN, "false", "Exchanges front and back."),
-                objects(
-                        ObjectKind.BSDF,
-                        0,
-                        1,
-                        "Material; diffuse with reflectance 0.5 if there is none, 0 on a shape that emits."),
-                objects(ObjectKind.EMITTER, 0, 1, "Makes the shape a light."));
+        List<PropertyDefinition> common = common();
         PropertyDefinition file =
                 optional("filename", ValueType.FILE, "The file.").asRequired();
         PropertyDefinition faceNormals = value(
@@ -145,5 +137,27 @@ final class ShapePlugins {
                 "Appearance of a shapegroup; its geometry is stored once.",
                 optional("to_world", ValueType.TRANSFORM, "Group to world."),
                 objects(ObjectKind.SHAPE, 1, 1, "The shapegroup, usually by reference.")));
+    }
+
+    /** A mesh that a reader of another format has decoded; scene files cannot contain it. */
+    static PluginDefinition meshInMemory() {
+        return Plugins.plugin(
+                ObjectKind.SHAPE,
+                "mesh",
+                "Mesh in memory.",
+                Plugins.join(
+                        common(), optional("mesh", ValueType.MESH, "The mesh.").asRequired()));
+    }
+
+    private static List<PropertyDefinition> common() {
+        return List.of(
+                optional("to_world", ValueType.TRANSFORM, "Shape to world."),
+                value("flip_normals", ValueType.BOOLEAN, "false", "Exchanges front and back."),
+                objects(
+                        ObjectKind.BSDF,
+                        0,
+                        1,
+                        "Material; diffuse with reflectance 0.5 if there is none, 0 on a shape that emits."),
+                objects(ObjectKind.EMITTER, 0, 1, "Makes the shape a light."));
     }
 }
