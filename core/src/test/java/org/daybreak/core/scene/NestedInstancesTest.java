@@ -106,7 +106,7 @@ class NestedInstancesTest {
         Ray second = new Ray();
         int hits = 0;
         int differences = 0;
-        for (int i = 0; i < 20_000; i++) {
+        for (int i = 0; i < 30_000; i++) {
             double ox = 8 * random.nextDouble(-1, 1);
             double oy = 8 * random.nextDouble(-1, 1);
             double oz = 8 * random.nextDouble(-1, 1);
