@@ -50,6 +50,6 @@ public final class SceneReader {
         }
         SceneBuilder.Result result = SceneBuilder.build(description.get(), images, problems);
         problems.throwIfErrors();
-        return new SceneFile(result.graph(), result.request(), problems.warnings());
+        return new SceneFile(result.graph(), result.request(), problems.warnings(), result.files());
     }
 }
