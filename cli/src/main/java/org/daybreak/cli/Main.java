@@ -63,6 +63,7 @@ public final class Main {
         commands.put("list", () -> new ListCommand(session));
         commands.put("info", () -> new InfoCommand(session));
         commands.put("diff", () -> new DiffCommand(session));
+        commands.put("merge", () -> new MergeCommand(session));
         Supplier<Object> called = args.length == 0 ? null : commands.get(args[0]);
         for (Supplier<Object> command : called == null ? commands.values() : List.of(called)) {
             daybreak.addSubcommand(command.get());

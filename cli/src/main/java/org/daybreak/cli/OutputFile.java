@@ -35,7 +35,9 @@ record OutputFile(Path path, Format format) {
         /** Portable float map. */
         PFM("Portable float map: linear 32-bit floats, colour only"),
         /** PNG. */
-        PNG("8-bit sRGB for display, clamped; colour only");
+        PNG("8-bit sRGB for display, clamped; colour only"),
+        /** The film itself. */
+        DAYBREAK("Partial film: all that the render has accumulated, for merge and --resume");
 
         private final String doc;
 
@@ -107,7 +109,7 @@ record OutputFile(Path path, Format format) {
     }
 
     /**
-     * Writes an image: all of it under its name, or nothing.
+     * Writes an image, in any format but {@link Format#DAYBREAK}: all of it under its name, or nothing.
      *
      * @param attributes texts and numbers on how the image was made; only OpenEXR keeps them
      * @throws ImageFileException if that fails
@@ -117,6 +119,7 @@ record OutputFile(Path path, Format format) {
             case EXR -> ExrWriter.write(path, exr(image, attributes));
             case PFM -> Pfm.write(path, new PfmImage(image.width(), image.height(), 3, interleaved(image)));
             case PNG -> PngWriter.write(path, image.width(), image.height(), interleaved(image));
+            case DAYBREAK -> throw new IllegalArgumentException("a partial film is no image");
         }
     }
 
