@@ -8,34 +8,44 @@ import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
- * An image file opened for reading at any place. The length is known, so every claim of a header can be held against it
- * before memory is taken.
+ * An image opened for reading at any place: a file, or bytes in memory. The length is known, so every claim of a header
+ * can be held against it before memory is taken.
  *
  * <p>Uses {@link RandomAccessFile} because a file channel would be closed under a thread that is interrupted.
  */
-final class FileSource implements Closeable {
+final class ImageSource implements Closeable {
     private static final int BUFFER_BYTES = 8192;
 
-    private final Path path;
-    private final RandomAccessFile file;
+    private final String name;
+    /** Null for bytes in memory: then the buffer holds all of them. */
+    private final @Nullable RandomAccessFile file;
+
     private final long length;
-    private final byte[] buffer = new byte[BUFFER_BYTES];
+    private final byte[] buffer;
     /** Place in the file of the first byte of the buffer. */
     private long bufferStart;
 
     private int bufferLength;
     private long position;
 
-    private FileSource(Path path, RandomAccessFile file, long length) {
-        this.path = path;
+    private ImageSource(String name, @Nullable RandomAccessFile file, long length, byte[] buffer, int bufferLength) {
+        this.name = name;
         this.file = file;
         this.length = length;
+        this.buffer = buffer;
+        this.bufferLength = bufferLength;
+    }
+
+    /** Reads from memory; the name stands in errors. The array is not copied. */
+    static ImageSource of(String name, byte[] bytes) {
+        return new ImageSource(name, null, bytes.length, bytes, bytes.length);
     }
 
     /** Opens a regular file or says why that is not possible. */
-    static FileSource open(Path path) throws ImageFileException {
+    static ImageSource open(Path path) throws ImageFileException {
         if (Files.isDirectory(path)) {
             throw new ImageFileException(path, "is a directory, not an image file");
         }
@@ -52,7 +62,7 @@ final class FileSource implements Closeable {
         try {
             RandomAccessFile file = new RandomAccessFile(path.toFile(), "r");
             try {
-                return new FileSource(path, file, file.length());
+                return new ImageSource(path.toString(), file, file.length(), new byte[BUFFER_BYTES], 0);
             } catch (IOException e) {
                 file.close();
                 throw e;
@@ -66,8 +76,8 @@ final class FileSource implements Closeable {
         }
     }
 
-    Path path() {
-        return path;
+    String name() {
+        return name;
     }
 
     long length() {
@@ -88,7 +98,12 @@ final class FileSource implements Closeable {
 
     /** An error that names this file. */
     ImageFileException error(String reason) {
-        return new ImageFileException(path, reason);
+        return new ImageFileException(name, reason);
+    }
+
+    /** An error that names this file. */
+    ImageFileException error(String reason, Throwable cause) {
+        return new ImageFileException(name, reason, cause);
     }
 
     int readByte(String what) throws ImageFileException {
@@ -105,6 +120,11 @@ final class FileSource implements Closeable {
         int value = buffer[(int) (position - bufferStart)] & 0xff;
         position++;
         return value;
+    }
+
+    long readLong(String what) throws ImageFileException {
+        long low = Integer.toUnsignedLong(readInt(what));
+        return low | (long) readInt(what) << 32;
     }
 
     int readInt(String what) throws ImageFileException {
@@ -155,13 +175,16 @@ final class FileSource implements Closeable {
     }
 
     private void readAt(long place, byte[] into, int offset, int count, String what) throws ImageFileException {
+        if (file == null || count == 0) {
+            return;
+        }
         try {
             file.seek(place);
             file.readFully(into, offset, count);
         } catch (EOFException e) {
             throw truncated(what);
         } catch (IOException e) {
-            throw new ImageFileException(path, "cannot be read: " + e.getMessage(), e);
+            throw error("cannot be read: " + e.getMessage(), e);
         }
     }
 
@@ -214,10 +237,13 @@ final class FileSource implements Closeable {
 
     @Override
     public void close() throws ImageFileException {
+        if (file == null) {
+            return;
+        }
         try {
             file.close();
         } catch (IOException e) {
-            throw new ImageFileException(path, "cannot be closed: " + e.getMessage(), e);
+            throw error("cannot be closed: " + e.getMessage(), e);
         }
     }
 }
