@@ -47,7 +47,10 @@ class DeviationAllocationTest {
         assertTrue(Arrays.stream(counts).allMatch(n -> n == 32), Arrays.toString(counts));
     }
 
-    /** The right half is eight times as noisy, so away from the border between them it gets eight times as many. */
+    /**
+     * The right half is eight times as noisy, so away from the border between them it gets eight times as many, but for the
+     * rounding of both numbers to powers of two.
+     */
     @Test
     void numbersFollowTheDeviation() {
         double[] deviations = all(0.125);
@@ -55,7 +58,8 @@ class DeviationAllocationTest {
             deviations[p] = p % WIDTH < WIDTH / 2 ? 0.125 : 1;
         }
         int[] counts = allocate(new DeviationAllocation(8, false, 0.01), all(1), deviations, 64);
-        assertEquals(8, counts[WIDTH - 1] / counts[0]);
+        int ratio = counts[WIDTH - 1] / counts[0];
+        assertTrue(ratio >= 4 && ratio <= 16, "ratio " + ratio);
         long sum = Arrays.stream(counts).asLongStream().sum();
         assertTrue(sum <= 64L * counts.length && sum > 32L * counts.length, "sum " + sum);
     }

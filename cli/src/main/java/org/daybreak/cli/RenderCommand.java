@@ -59,7 +59,7 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = {"-o", "--output"},
             paramLabel = "FILE",
-            description = "Image to write, by its ending: exr, pfm, png or daybreak; may be repeated."
+            description = "Image to write, by its ending: exr, pfm, png, hdr, jpg or daybreak; may be repeated."
                     + " Default: <name>.exr and <name>.png in the working directory.")
     private List<Path> outputs = new ArrayList<>();
 

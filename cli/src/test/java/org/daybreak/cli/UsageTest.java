@@ -68,7 +68,7 @@ class UsageTest {
         Path scene = TestScenes.write(folder, TestScenes.usual());
         Cli.Result result = Cli.run("render", scene, "-o", folder.resolve(name));
         assertEquals(2, result.code(), result.err());
-        assertTrue(result.err().contains("(known: exr, pfm, png, daybreak)"), result.err());
+        assertTrue(result.err().contains("(known: exr, pfm, png, hdr, jpg, daybreak)"), result.err());
     }
 
     @Test
@@ -93,7 +93,7 @@ class UsageTest {
         Cli.Result unknown = Cli.run("rendr");
         assertEquals(2, unknown.code());
         assertTrue(unknown.err().contains("there is no command 'rendr'; did you mean 'render'?"), unknown.err());
-        for (String command : new String[] {"render", "list", "info", "diff", "merge"}) {
+        for (String command : new String[] {"render", "list", "info", "diff", "convert", "merge", "completion"}) {
             Cli.Result help = Cli.run(command, "--help");
             assertEquals(0, help.code());
             assertTrue(help.out().contains("Examples:"), help.out());
@@ -101,6 +101,17 @@ class UsageTest {
         }
         assertTrue(Cli.run("--help").out().contains("Examples:"));
         assertEquals(2, Cli.run("render").code());
+    }
+
+    @Test
+    void completionKnowsCommandsAndOptions() {
+        for (String shell : new String[] {"bash", "zsh"}) {
+            Cli.Result result = Cli.run("completion", shell);
+            assertEquals(0, result.code(), result.err());
+            assertTrue(result.out().contains("--checkpoint-interval"), shell);
+            assertTrue(result.out().contains("complete -F"), shell);
+        }
+        assertEquals(2, Cli.run("completion", "fish").code());
     }
 
     @Test
