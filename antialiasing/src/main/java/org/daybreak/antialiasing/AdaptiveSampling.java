@@ -53,11 +53,11 @@ public final class AdaptiveSampling implements AntialiasingFactory {
                 Parameter.real(
                         "uniformShare",
                         "Share of uniform samples",
-                        0.2,
+                        0.5,
                         0.01,
                         1,
                         "Part of the samples of each pass that is divided evenly, for the sake of what earlier passes have"
-                                + " missed."));
+                                + " missed. Small shares make light that is seldom found noisier."));
     }
 
     @Override

@@ -14,6 +14,10 @@ record DeviationAllocation(int firstPass, boolean relative, double uniformShare)
     /** Added to the means, as a part of the image's mean: black pixels are not worth all samples. */
     private static final double RELATIVE_OFFSET = 0.05;
 
+    /** Radii in pixels of the neighbourhoods whose variances are averaged. */
+    private static final int CLOSE = 1;
+
+    private static final int WIDE = 8;
     private static final int LARGEST_EXPONENT = 30;
     private static final int BISECTIONS = 48;
 
@@ -45,41 +49,73 @@ record DeviationAllocation(int firstPass, boolean relative, double uniformShare)
         fill(shares, scale(shares, (double) average * n), counts);
     }
 
-    /** What the number of samples should be proportional to: the deviation, smoothed over 3×3 pixels, over the mean. */
+    /**
+     * What the number of samples should be proportional to: the deviation, over the mean if the error is relative.
+     *
+     * <p>Light that is seldom found makes the deviation of most pixels look too small and that of a few too large, and pixels
+     * with too few samples then show that light many times too bright. So variances are the mean of those of a pixel's
+     * closest and of its wider neighbourhood.
+     */
     private double[] importance(int width, int height, double[] means, double[] deviations) {
+        double usual = usualVariance(deviations);
+        double[] variances = new double[means.length];
+        double[] brightness = new double[means.length];
         double mean = 0;
-        double variance = 0;
-        int known = 0;
         for (int p = 0; p < means.length; p++) {
-            mean += means[p] / means.length;
-            if (Double.isFinite(deviations[p])) {
-                variance += deviations[p] * deviations[p];
+            double variance = deviations[p] * deviations[p];
+            variances[p] = Double.isFinite(variance) ? variance : usual;
+            brightness[p] = Math.max(0, means[p]);
+            mean += brightness[p] / means.length;
+        }
+        double[] close = smoothed(width, height, variances, CLOSE);
+        double[] wide = smoothed(width, height, variances, WIDE);
+        double[] closeBrightness = smoothed(width, height, brightness, CLOSE);
+        double[] importance = new double[means.length];
+        for (int p = 0; p < importance.length; p++) {
+            double deviation = Math.sqrt(Math.max(0, 0.5 * (close[p] + wide[p])));
+            // In a black image every error is as good as any other.
+            importance[p] =
+                    relative && mean > 0 ? deviation / (closeBrightness[p] + RELATIVE_OFFSET * mean) : deviation;
+        }
+        return importance;
+    }
+
+    /** The mean variance of the pixels where it is known; 1 if it is nowhere. */
+    private static double usualVariance(double[] deviations) {
+        double sum = 0;
+        int known = 0;
+        for (double deviation : deviations) {
+            if (Double.isFinite(deviation)) {
+                sum += deviation * deviation;
                 known++;
             }
         }
-        double usual = known == 0 ? 1 : Math.sqrt(variance / known);
-        double[] importance = new double[means.length];
+        return known == 0 ? 1 : sum / known;
+    }
+
+    /** Means over squares of pixels, cut off at the edges of the image; first along rows, then along columns. */
+    private static double[] smoothed(int width, int height, double[] values, int radius) {
+        double[] rows = new double[values.length];
         for (int y = 0; y < height; y++) {
-            for (int x = 0; x < width; x++) {
-                double squares = 0;
-                double brightness = 0;
-                int pixels = 0;
-                for (int j = Math.max(0, y - 1); j <= Math.min(height - 1, y + 1); j++) {
-                    for (int i = Math.max(0, x - 1); i <= Math.min(width - 1, x + 1); i++) {
-                        double deviation = deviations[j * width + i];
-                        double d = Double.isFinite(deviation) ? deviation : usual;
-                        squares += d * d;
-                        brightness += Math.max(0, means[j * width + i]);
-                        pixels++;
-                    }
-                }
-                double deviation = Math.sqrt(squares / pixels);
-                // In a black image every error is as good as any other.
-                importance[y * width + x] =
-                        relative && mean > 0 ? deviation / (brightness / pixels + RELATIVE_OFFSET * mean) : deviation;
-            }
+            smooth(values, y * width, 1, width, radius, rows);
         }
-        return importance;
+        double[] smooth = new double[values.length];
+        for (int x = 0; x < width; x++) {
+            smooth(rows, x, width, height, radius, smooth);
+        }
+        return smooth;
+    }
+
+    private static void smooth(double[] values, int first, int step, int count, int radius, double[] out) {
+        for (int i = 0; i < count; i++) {
+            int from = Math.max(0, i - radius);
+            int to = Math.min(count - 1, i + radius);
+            double sum = 0;
+            for (int j = from; j <= to; j++) {
+                sum += values[first + j * step];
+            }
+            out[first + i * step] = sum / (to - from + 1);
+        }
     }
 
     /** The largest addend to the logarithms with which the rounded numbers do not exceed the budget. */
