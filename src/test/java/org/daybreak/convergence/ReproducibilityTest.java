@@ -164,8 +164,8 @@ class ReproducibilityTest {
                 last.set(state);
             }
         };
-        RenderContext context = new RenderContext(
-                SEED, 2, RenderBudget.samples(32), antialiasing("sobol"), token, cancelling);
+        RenderContext context =
+                new RenderContext(SEED, 2, RenderBudget.samples(32), antialiasing("sobol"), token, cancelling);
         renderer.render(scene, scene.camera(), setup.film(), context.withCheckpoints(sink));
         RenderState state = last.get();
         CancellationToken third = new CancellationToken();

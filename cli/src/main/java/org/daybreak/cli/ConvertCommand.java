@@ -39,10 +39,7 @@ final class ConvertCommand implements Callable<Integer> {
     @Parameters(index = "1", paramLabel = "FILE", description = "File to write; the ending decides.")
     private Path output = Path.of("");
 
-    @Option(
-            names = "--exposure",
-            paramLabel = "STOPS",
-            description = "Multiplies the colour by 2^STOPS; default: 0.")
+    @Option(names = "--exposure", paramLabel = "STOPS", description = "Multiplies the colour by 2^STOPS; default: 0.")
     private double exposure;
 
     @Option(names = "--layer", paramLabel = "LAYER", description = "Takes this layer of an exr file as the colour.")
@@ -90,7 +87,8 @@ final class ConvertCommand implements Callable<Integer> {
                         image.header().dataWindow().yMin())
                 .displayWindow(image.header().displayWindow())
                 .pixelAspectRatio(image.header().pixelAspectRatio())
-                .screenWindow(image.header().screenWindowCenter(), image.header().screenWindowWidth())
+                .screenWindow(
+                        image.header().screenWindowCenter(), image.header().screenWindowWidth())
                 .attributes(image.header().attributes());
         for (ExrChannel channel : image.header().channels()) {
             if (channel.type() == PixelType.UINT) {
@@ -131,7 +129,8 @@ final class ConvertCommand implements Callable<Integer> {
             for (String name : names) {
                 float[] samples = image.channels().get(prefix + name);
                 if (samples != null) {
-                    found.put(names.size() == 1 ? "Y" : "RGB".substring(found.size(), found.size() + 1), scaled(samples));
+                    found.put(
+                            names.size() == 1 ? "Y" : "RGB".substring(found.size(), found.size() + 1), scaled(samples));
                 }
             }
             if (found.size() == names.size()) {

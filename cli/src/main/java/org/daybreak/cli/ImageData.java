@@ -44,8 +44,7 @@ record ImageData(
         Map<String, String> types,
         Map<String, float[]> channels,
         Map<String, String> attributes) {
-    private static final List<String> ENDINGS =
-            List.of("exr", "pfm", "hdr", "png", "jpg", "jpeg", "bmp", "gif");
+    private static final List<String> ENDINGS = List.of("exr", "pfm", "hdr", "png", "jpg", "jpeg", "bmp", "gif");
 
     /** True if a file is an image by its ending. */
     static boolean isImage(Path file) {
@@ -191,13 +190,12 @@ record ImageData(
             int components,
             float[] samples,
             Map<String, String> attributes) {
-        List<String> names =
-                switch (components) {
-                    case 1 -> List.of("Y");
-                    case 2 -> List.of("Y", "A");
-                    case 3 -> List.of("R", "G", "B");
-                    default -> List.of("R", "G", "B", "A");
-                };
+        List<String> names = switch (components) {
+            case 1 -> List.of("Y");
+            case 2 -> List.of("Y", "A");
+            case 3 -> List.of("R", "G", "B");
+            default -> List.of("R", "G", "B", "A");
+        };
         Map<String, String> types = new LinkedHashMap<>();
         Map<String, float[]> channels = new LinkedHashMap<>();
         int pixels = width * height;

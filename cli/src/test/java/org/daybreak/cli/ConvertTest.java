@@ -91,7 +91,8 @@ class ConvertTest {
     @Test
     void openExrKeepsAllOfIt() throws IOException {
         ExrImage image = ExrReader.read(convert("b.exr", "--exposure", "1"));
-        assertEquals(new ExrAttribute.StringValue("42"), image.header().attributes().get("seed"));
+        assertEquals(
+                new ExrAttribute.StringValue("42"), image.header().attributes().get("seed"));
         assertEquals(3, image.header().dataWindow().xMin());
         assertEquals(5, image.header().dataWindow().yMin());
         assertArrayEquals(plane(7), image.samples("depth.Z"));
@@ -148,12 +149,20 @@ class ConvertTest {
         assertTrue(flip > 0.05 && flip < 1, "flip " + flip);
         assertEquals(WIDTH, ImageData.read(map).width());
         assertEquals(2, Cli.run("diff", exr, exr, "--flip", "hrd").code());
-        assertEquals(2, Cli.run("diff", exr, exr, "--flip", "none", "--false-color", map).code());
-        assertEquals(2, Cli.run("diff", exr, exr, "--false-color", folder.resolve("m.exr")).code());
+        assertEquals(
+                2,
+                Cli.run("diff", exr, exr, "--flip", "none", "--false-color", map)
+                        .code());
+        assertEquals(
+                2,
+                Cli.run("diff", exr, exr, "--false-color", folder.resolve("m.exr"))
+                        .code());
         Path grey = folder.resolve("grey.exr");
         ExrWriter.write(
                 grey,
-                ExrImage.builder(WIDTH, HEIGHT).channel("R", PixelType.FLOAT, plane(1)).build());
+                ExrImage.builder(WIDTH, HEIGHT)
+                        .channel("R", PixelType.FLOAT, plane(1))
+                        .build());
         assertEquals(5, Cli.run("diff", grey, exr, "--flip", "ldr").code());
     }
 }

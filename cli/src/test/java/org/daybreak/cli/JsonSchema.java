@@ -57,7 +57,8 @@ final class JsonSchema {
             checkObject(rule, value, at, problems);
         } else if (value.isArray()) {
             int size = value.size();
-            if (size < rule.path("minItems").asInt(0) || size > rule.path("maxItems").asInt(Integer.MAX_VALUE)) {
+            if (size < rule.path("minItems").asInt(0)
+                    || size > rule.path("maxItems").asInt(Integer.MAX_VALUE)) {
                 problems.add(at + " has " + size + " items");
             }
             for (int i = 0; i < size && rule.has("items"); i++) {

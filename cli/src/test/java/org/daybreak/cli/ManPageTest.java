@@ -38,11 +38,10 @@ class ManPageTest {
         out.append(".SH SYNOPSIS\n");
         for (Map.Entry<String, CommandLine> command : daybreak.getSubcommands().entrySet()) {
             out.append(".B daybreak ").append(command.getKey()).append('\n');
-            for (PositionalParamSpec parameter : command.getValue().getCommandSpec().positionalParameters()) {
+            for (PositionalParamSpec parameter :
+                    command.getValue().getCommandSpec().positionalParameters()) {
                 String more = parameter.arity().max() > 1 ? "..." : "";
-                out.append(".I ")
-                        .append(escaped(parameter.paramLabel() + more))
-                        .append('\n');
+                out.append(".I ").append(escaped(parameter.paramLabel() + more)).append('\n');
             }
             out.append("[options]\n.br\n");
         }

@@ -100,7 +100,9 @@ class FilmStateTest {
         Film part = film(ReconstructionFilter.BOX);
         addSplats(part, new SplittableRandom(1));
         FilmState state = part.state(List.of());
-        assertThrows(IllegalArgumentException.class, () -> film(ReconstructionFilter.BOX).merge(state));
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> film(ReconstructionFilter.BOX).merge(state));
     }
 
     /** Twice the weight is twice the sample, in the mean; a mean of the same samples with any weight is the same. */
