@@ -53,7 +53,7 @@ final class RenderCommand implements Callable<Integer> {
 
     private final Session session;
 
-    @Parameters(paramLabel = "SCENE", description = "Scene file (Mitsuba 3 XML).")
+    @Parameters(paramLabel = "SCENE", description = "Scene (Mitsuba XML) or model (obj, ply, stl).")
     private Path scene = Path.of("");
 
     @Option(
@@ -146,7 +146,7 @@ final class RenderCommand implements Callable<Integer> {
         ProgressMode mode = ProgressMode.of(progress);
         String wanted = intersector;
         if (wanted == null) {
-            checkIntersectorsMeanwhile();
+            Intersectors.warmUp();
         } else {
             Services.checkIntersector(wanted);
         }
@@ -232,7 +232,7 @@ final class RenderCommand implements Callable<Integer> {
         identity.put(
                 RenderIdentity.FILTER,
                 film.filter().kind().id() + " " + film.filter().radius() + " "
-                        + film.filter().parameter());
+                        + film.filter().parameter() + (film.filterSampling() ? " sampled" : ""));
         List<String> names = new ArrayList<>();
         for (FilmLayer layer : FilmLayer.values()) {
             if (filmLayers.contains(layer)) {
@@ -241,13 +241,6 @@ final class RenderCommand implements Callable<Integer> {
         }
         identity.put(RenderIdentity.LAYERS, String.join(",", names));
         return identity;
-    }
-
-    /** The fast intersectors prove themselves while the scene is read; compiling it waits for the outcome. */
-    private static void checkIntersectorsMeanwhile() {
-        Thread thread = new Thread(Intersectors::select, "daybreak-intersector-check");
-        thread.setDaemon(true);
-        thread.start();
     }
 
     private List<OutputFile> outputFiles() {

@@ -126,6 +126,7 @@ record PartialFilmHeader(JsonNode json, List<Block> blocks) {
         json.writeNumberField("radius", settings.filter().radius());
         json.writeNumberField("parameter", settings.filter().parameter());
         json.writeEndObject();
+        json.writeBooleanField("filterSampling", settings.filterSampling());
         json.writeArrayFieldStart("layers");
         for (FilmLayer layer : film.layers()) {
             json.writeString(layer.id());
@@ -192,7 +193,8 @@ record PartialFilmHeader(JsonNode json, List<Block> blocks) {
                 new ReconstructionFilter(
                         kind(field(filter, "kind").asText()),
                         field(filter, "radius").asDouble(),
-                        field(filter, "parameter").asDouble()));
+                        field(filter, "parameter").asDouble()),
+                field(film, "filterSampling").asBoolean());
         Set<FilmLayer> layers = EnumSet.noneOf(FilmLayer.class);
         field(film, "layers").forEach(layer -> layers.add(layer(layer.asText())));
         List<FilmSettings.Crop> regions = new ArrayList<>();

@@ -16,6 +16,9 @@ import org.daybreak.core.color.Spectrum;
  * to the edges for every filter. Samples are taken in the crop and, so that a crop equals that part of the whole image, in
  * a border around it as wide as the filter reaches, cut off at the edges of the film ({@link #sampleArea()}).
  *
+ * <p>With {@linkplain FilmSettings#filterSampling() filter sampling} a pixel is the plain mean of its own samples, drawn in
+ * proportion to |w| and multiplied by a sign and factor ({@link FilterSampler}); there is no border.
+ *
  * <p><b>Splats.</b> They are kept apart, in lanes ({@link #closeSplatLane}): Σ w·splat, where w is the filter scaled to
  * integrate to 1 over the film, times {@link #setSplatScale a scale} over the number of subpaths that were traced. Near the edges of the film both kinds
  * estimate the same mean: that over the part of the filter that lies on the film.
@@ -49,9 +52,10 @@ public final class Film {
         this.settings = settings;
         this.layers = Collections.unmodifiableSet(
                 layers.isEmpty() ? EnumSet.noneOf(FilmLayer.class) : EnumSet.copyOf(layers));
-        this.layout = new FilmLayout(settings.filter(), this.layers, false);
+        this.layout = new FilmLayout(settings, this.layers, false);
         this.kernel = new FilterKernel(settings.filter());
-        this.splats = new FilmSplats(settings, kernel, layout.pixelBox, FilmState.splatStride(this.layers));
+        this.splats = new FilmSplats(
+                settings, kernel, FilmLayout.isUnitBox(settings.filter()), FilmState.splatStride(this.layers));
         sums = newSums(layout);
     }
 
@@ -76,7 +80,7 @@ public final class Film {
         if (samples > 0) {
             throw new IllegalStateException("the film has samples already");
         }
-        layout = new FilmLayout(settings.filter(), layers, true);
+        layout = new FilmLayout(settings, layers, true);
         weighted = true;
         sums = newSums(layout);
     }
@@ -98,18 +102,26 @@ public final class Film {
 
     /** How many pixels beyond its own a sample can reach. */
     public int filterBorder() {
-        return FilterKernel.border(settings.filter());
+        return settings.filterSampling() ? 0 : FilterKernel.border(settings.filter());
     }
 
     /** The pixels in which samples must be taken: the crop and the border that its filter reaches, within the film. */
     public FilmSettings.Crop sampleArea() {
         FilmSettings.Crop crop = settings.crop();
-        int border = FilterKernel.border(settings.filter());
+        int border = filterBorder();
         int x0 = Math.max(0, crop.x() - border);
         int y0 = Math.max(0, crop.y() - border);
         int x1 = Math.min(settings.width(), crop.x() + crop.width() + border);
         int y1 = Math.min(settings.height(), crop.y() + crop.height() + border);
         return new FilmSettings.Crop(x0, y0, x1 - x0, y1 - y0);
+    }
+
+    /**
+     * Draws where in or near a pixel samples are taken; for films with {@link FilmSettings#filterSampling()}. Not limited to
+     * one worker.
+     */
+    public FilterSampler filterSampler() {
+        return new FilterSampler(settings, kernel);
     }
 
     /** A new tile for this film; each worker or work unit has its own. */
@@ -321,7 +333,7 @@ public final class Film {
 
     private double luminanceVariance(int at, double mean) {
         int one = at + layout.squaredWeight;
-        double first = layout.unitBox ? luminanceSum(at, FilmLayout.COLOR) : sums[one + 1];
+        double first = layout.unitWeights ? luminanceSum(at, FilmLayout.COLOR) : sums[one + 1];
         return sampleVariance(sums[at], sums[one], first, sums[at + FilmLayout.LUMINANCE_SQUARED], mean);
     }
 

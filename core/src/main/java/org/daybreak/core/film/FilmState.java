@@ -75,7 +75,7 @@ public record FilmState(
             }
             pixels += (long) r.width() * r.height();
         }
-        check("sums of samples", sums, pixels * new FilmLayout(settings.filter(), layers, weighted).stride);
+        check("sums of samples", sums, pixels * new FilmLayout(settings, layers, weighted).stride);
         long splatLength = (long) crop.width() * crop.height() * splatStride(layers);
         check("sums of splats", splats.total(), splatLength);
         check("sums of splats", splats.open(), splatLength);
@@ -89,7 +89,7 @@ public record FilmState(
 
     /** Numbers per pixel in {@link #sums}. */
     public int stride() {
-        return new FilmLayout(settings.filter(), layers, weighted).stride;
+        return new FilmLayout(settings, layers, weighted).stride;
     }
 
     /** Numbers per pixel in {@link #splats}. */

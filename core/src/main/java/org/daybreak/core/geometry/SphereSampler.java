@@ -1,5 +1,6 @@
 package org.daybreak.core.geometry;
 
+import org.daybreak.core.math.Bounds;
 import org.daybreak.core.math.Transform;
 import org.daybreak.core.math.Turns;
 import org.daybreak.core.sampling.Warps;
@@ -140,6 +141,7 @@ final class SphereSampler implements SurfaceSampler {
         toWorld.applyInversePoint(point.x, point.y, point.z, p);
         point.u = SurfaceFrames.turn(p[0], p[1]);
         point.v = Math.atan2(Math.sqrt(p[0] * p[0] + p[1] * p[1]), p[2]) / Math.PI;
+        point.setNoAttributes();
     }
 
     @Override
@@ -227,5 +229,11 @@ final class SphereSampler implements SurfaceSampler {
             }
         }
         return UNIT_SPHERE_AREA * sum / rows / columns;
+    }
+
+    @Override
+    public EmissionBounds bounds() {
+        Bounds box = new Bounds(-1, -1, -1, 1, 1, 1).transform(toWorld);
+        return EmissionBounds.everywhere(box, area / 4);
     }
 }
