@@ -58,7 +58,7 @@ public final class SceneReader {
         }
         SceneBuilder.Result result = SceneBuilder.build(description.get(), images, problems);
         problems.throwIfErrors();
-        return new SceneFile(result.graph(), result.request(), problems.warnings());
+        return new SceneFile(result.graph(), result.request(), problems.warnings(), result.files());
     }
 
     private SceneFile loadModel(Path file, Map<String, String> defines, ProblemList problems) throws SceneException {
@@ -80,6 +80,6 @@ public final class SceneReader {
             problems.error(SourceLocation.of(file), String.valueOf(e.getMessage()));
             throw new SceneException(problems.errors());
         }
-        return new SceneFile(result.graph(), result.request(), problems.warnings());
+        return new SceneFile(result.graph(), result.request(), problems.warnings(), result.files());
     }
 }

@@ -22,6 +22,7 @@ public final class FilmTile {
     private int width;
     private int height;
     private long samples;
+    private double sampleWeight = 1;
 
     FilmTile(FilmSettings settings, FilmLayout layout, FilterKernel kernel) {
         this.layout = layout;
@@ -50,6 +51,16 @@ public final class FilmTile {
             Arrays.fill(sums, 0, length, 0);
         }
         samples = 0;
+        sampleWeight = 1;
+    }
+
+    /**
+     * Sets the weight of the samples that follow, on top of the filter's; 1 after {@link #begin}.
+     *
+     * @param weight finite and positive; 1 unless the film {@linkplain Film#useSampleWeights() uses weights}
+     */
+    public void setSampleWeight(double weight) {
+        sampleWeight = weight;
     }
 
     /**
@@ -86,6 +97,18 @@ public final class FilmTile {
             }
             return true;
         }
+        if (layout.pixelBox) {
+            int px = (int) filmX - x0;
+            int py = (int) filmY - y0;
+            if (px >= 0 && py >= 0 && px < width && py < height) {
+                int at = (py * width + px) * layout.stride;
+                addWeighted(at, sampleWeight, value, value.luminance());
+                if (features != null && features.hit) {
+                    addFeatures(at, sampleWeight, features);
+                }
+            }
+            return true;
+        }
         int fromX = Math.max((int) Math.ceil(filmX - radius - 0.5), x0);
         int toX = Math.min((int) Math.floor(filmX + radius - 0.5), x0 + width - 1);
         int fromY = Math.max((int) Math.ceil(filmY - radius - 0.5), y0);
@@ -98,7 +121,7 @@ public final class FilmTile {
         }
         double luminance = value.luminance();
         for (int y = fromY; y <= toY; y++) {
-            double wy = weightsY[y - fromY];
+            double wy = sampleWeight * weightsY[y - fromY];
             int at = ((y - y0) * width + fromX - x0) * layout.stride;
             for (int x = fromX; x <= toX; x++, at += layout.stride) {
                 double w = wy * weightsX[x - fromX];
@@ -126,9 +149,13 @@ public final class FilmTile {
         samples++;
         value.scale(factor);
         int at = ((y - y0) * width + x - x0) * layout.stride;
-        addUnweighted(at, value);
+        if (layout.unitWeights) {
+            addUnweighted(at, value);
+        } else {
+            addWeighted(at, sampleWeight, value, value.luminance());
+        }
         if (features != null && features.hit) {
-            addFeatures(at, factor, features);
+            addFeatures(at, sampleWeight * factor, features);
         }
         return true;
     }

@@ -5,8 +5,10 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.daybreak.scenes.description.ObjectDescription;
@@ -30,11 +32,18 @@ final class BuildContext {
     private final ProblemList problems;
     private final IdentityHashMap<ObjectDescription, Properties> checked = new IdentityHashMap<>();
     private final List<ObjectDescription> building = new ArrayList<>();
+    private final Set<Path> files = new LinkedHashSet<>();
 
     BuildContext(SceneDescription description, ImageLoader images, ProblemList problems) {
         this.description = description;
         this.images = images;
         this.problems = problems;
+        files.addAll(description.files());
+    }
+
+    /** All files that the scene was read from so far, the main file first. */
+    List<Path> files() {
+        return List.copyOf(files);
     }
 
     ImageLoader images() {
@@ -161,6 +170,7 @@ final class BuildContext {
             error(location, problem);
             return null;
         }
+        files.add(found);
         return found;
     }
 

@@ -1,5 +1,6 @@
 package org.daybreak.scenes.build;
 
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,8 +21,9 @@ public final class SceneBuilder {
      *
      * @param graph the scene; incomplete if errors were reported
      * @param request what the file asks of the renderer
+     * @param files all files that were read, the main file first
      */
-    public record Result(SceneGraph graph, RenderSettingsRequest request) {}
+    public record Result(SceneGraph graph, RenderSettingsRequest request, List<Path> files) {}
 
     private final BuildContext context;
     private final SceneGraph graph = new SceneGraph();
@@ -61,7 +63,10 @@ public final class SceneBuilder {
         OptionalLong seed = sampler != null && sampler.has("seed")
                 ? OptionalLong.of((long) sampler.number("seed"))
                 : OptionalLong.empty();
-        return new Result(graph, new RenderSettingsRequest(Optional.ofNullable(rendererId), parameters, samples, seed));
+        return new Result(
+                graph,
+                new RenderSettingsRequest(Optional.ofNullable(rendererId), parameters, samples, seed),
+                context.files());
     }
 
     private void readIntegrator(Properties p) {

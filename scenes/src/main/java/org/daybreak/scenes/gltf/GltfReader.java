@@ -45,7 +45,7 @@ public final class GltfReader {
                     return Optional.empty();
                 }
                 ObjectDescription root = new SceneWriter(container, report).scene();
-                return Optional.of(new SceneDescription(file, root, Map.of(), List.of()));
+                return Optional.of(new SceneDescription(file, root, Map.of(), List.of(), List.of(file)));
             } catch (GltfException e) {
                 report.error(e);
             }

@@ -37,6 +37,7 @@ public final class MitsubaReader {
     private final Map<String, ObjectDescription> ids = new LinkedHashMap<>();
     private final List<Path> folders = new ArrayList<>();
     private final List<Path> open = new ArrayList<>();
+    private final List<Path> files = new ArrayList<>();
     private boolean broken;
 
     private MitsubaReader(Map<String, String> defines, ProblemList problems) {
@@ -65,7 +66,7 @@ public final class MitsubaReader {
         if (reader.broken || content.size() != 1 || !(content.get(0).value() instanceof Value.Nested root)) {
             return Optional.empty();
         }
-        return Optional.of(new SceneDescription(file, root.object(), reader.ids, reader.folders));
+        return Optional.of(new SceneDescription(file, root.object(), reader.ids, reader.folders, reader.files));
     }
 
     /**
@@ -95,6 +96,7 @@ public final class MitsubaReader {
             problems.error(requestedAt, (main ? "" : "cannot include " + file + ": ") + message(e));
             return List.of();
         }
+        files.add(file);
         open.add(real);
         try {
             return XmlFileParser.parse(this, file, text, main, old);

@@ -58,7 +58,7 @@ public final class ModelReader {
             content.add(new PropertyDescription("", new Value.Nested(shape), location));
         }
         ObjectDescription root = new ObjectDescription(ObjectKind.SCENE, MODEL, null, location, content);
-        return new SceneDescription(file, root, Map.of(), List.of());
+        return new SceneDescription(file, root, Map.of(), List.of(), List.of(file));
     }
 
     private static ObjectDescription shape(Path file, @Nullable String material, List<PropertyDescription> more) {
