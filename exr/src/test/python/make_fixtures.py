@@ -1,7 +1,8 @@
 """Makes the OpenEXR files in src/test/resources with the official library (wheels OpenEXR==3.5.3 and numpy).
 
-Run from any directory: python3 make_fixtures.py. The sample values follow the formulas smooth() and noise(), which
-TestPatterns.java repeats, so that the tests can compare every sample bit by bit.
+Run from any directory: python3 make_fixtures.py. The sample values follow the formulas smooth(), noise(), noise24() and
+ramp(), which TestPatterns.java repeats, so that the tests can compare every sample bit by bit. Tiled images with several
+levels and interleaved parts are beyond the wheel; ../cpp/tiled_images.cpp makes those.
 """
 
 import pathlib
@@ -40,6 +41,19 @@ def noise(width, height, k, kind):
     return bits.view(TYPES[kind])
 
 
+def noise24(width, height, k, kind):
+    """Noise whose lowest byte is 0: floats that PXR24 keeps as they are."""
+    bits = noise(width, height, k, kind)
+    return (bits.view(np.uint32) & np.uint32(0xFFFFFF00)).view(TYPES[kind]) if kind != "half" else bits
+
+
+def ramp(width, height, k, kind):
+    """Counts the pixels: many different words that still pack well, for which PIZ uses its other wavelet."""
+    x, y = grid(width, height)
+    bits = x + y * np.uint32(width) + np.uint32(k)
+    return bits.astype(np.uint16).view(np.float16) if kind == "half" else bits.view(TYPES[kind])
+
+
 def planes(width, height, names, pattern):
     """names maps each channel to its type; k counts the channels in sorted order."""
     return {name: pattern(width, height, k, names[name]) for k, name in enumerate(sorted(names))}
@@ -56,11 +70,29 @@ def window(x, y, width, height):
 
 def readable():
     rgb = lambda kind: {"R": kind, "G": kind, "B": kind}
-    codes = {"none": OpenEXR.NO_COMPRESSION, "zips": OpenEXR.ZIPS_COMPRESSION, "zip": OpenEXR.ZIP_COMPRESSION}
-    for code, compression in codes.items():
+    for code in ("no", "rle", "zips", "zip", "piz", "pxr24"):
+        compression = getattr(OpenEXR, code.upper() + "_COMPRESSION")
+        name = "none" if code == "no" else code
         for kind in TYPES:
-            for pattern in (smooth, noise):
-                write(f"{code}_{kind}_{pattern.__name__}", planes(17, 35, rgb(kind), pattern), compression)
+            # PXR24 rounds floats, so that noise of 32 bits would not come back.
+            for pattern in (smooth, noise24 if code == "pxr24" and kind == "float" else noise):
+                write(f"{name}_{kind}_{pattern.__name__}", planes(17, 35, rgb(kind), pattern), compression)
+    for kind in TYPES:
+        write(f"piz_{kind}_ramp", planes(640, 33, {"Y": kind}, ramp), OpenEXR.PIZ_COMPRESSION)
+    tiles = OpenEXR.TileDescription()
+    tiles.xSize, tiles.ySize = 16, 8
+    OpenEXR.File(
+        {"type": OpenEXR.tiledimage, "tiles": tiles, "compression": OpenEXR.ZIP_COMPRESSION},
+        planes(37, 21, rgb("half"), smooth),
+    ).write(str(OUT / "tiled_smooth.exr"))
+    parts = [
+        OpenEXR.Part({"type": OpenEXR.scanlineimage, "compression": compression}, planes(9, 21, rgb(kind), smooth), name)
+        for name, kind, compression in (
+            ("left", "half", OpenEXR.ZIP_COMPRESSION),
+            ("right", "float", OpenEXR.PIZ_COMPRESSION),
+        )
+    ]
+    OpenEXR.File(parts).write(str(OUT / "parts_smooth.exr"))
     write("one_pixel", planes(1, 1, {"Y": "half"}, smooth), OpenEXR.ZIP_COMPRESSION)
     write(
         "negative_origin",
@@ -116,17 +148,8 @@ def readable():
 
 def refused():
     small = lambda: planes(8, 8, {"R": "half", "G": "half", "B": "half"}, smooth)
-    for name in ("RLE", "PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB", "HTJ2K256", "HTJ2K32", "ZSTD"):
+    for name in ("B44", "B44A", "DWAA", "DWAB", "HTJ2K256", "HTJ2K32", "ZSTD"):
         write("refused_" + name.lower(), small(), getattr(OpenEXR, name + "_COMPRESSION"))
-    OpenEXR.File(
-        {"type": OpenEXR.tiledimage, "tiles": OpenEXR.TileDescription(), "compression": OpenEXR.ZIP_COMPRESSION},
-        small(),
-    ).write(str(OUT / "refused_tiled.exr"))
-    parts = [
-        OpenEXR.Part({"type": OpenEXR.scanlineimage, "compression": OpenEXR.ZIP_COMPRESSION}, small(), name)
-        for name in ("left", "right")
-    ]
-    OpenEXR.File(parts).write(str(OUT / "refused_multipart.exr"))
     deep = np.empty((2, 2), object)
     for i in range(4):
         deep[i // 2, i % 2] = np.array([1.0] * (i + 1), np.float32)

@@ -89,6 +89,9 @@ final class CrossScenes {
                 new CrossScenes(16).garden(new LightSource.ConstantEnvironment(new Color3f(0.8f, 1, 1.3f))).graph);
         scenes.put("image environment", new CrossScenes(17).garden(sky()).graph);
         scenes.put(
+                "directional",
+                new CrossScenes(26).garden(new LightSource.Directional(new Color3f(2, 1.5f, 1)), 210).graph);
+        scenes.put(
                 "all kinds",
                 new CrossScenes(18)
                         .room()
@@ -168,6 +171,10 @@ final class CrossScenes {
 
     /** Things on a large disk under the open sky. */
     private CrossScenes garden(LightSource sky) {
+        return garden(sky, 77);
+    }
+
+    private CrossScenes garden(LightSource sky, double degrees) {
         add(
                 new Disk(),
                 Transform.translate(0, -1, 0)
@@ -178,7 +185,7 @@ final class CrossScenes {
         add(globe(10, 6), Transform.translate(-0.4, -0.6, 0).multiply(Transform.scale(0.3, 0.4, 0.3)), diffuse());
         graph.root()
                 .add(new LightNode(sky))
-                .setTransform(Transform.rotate(0.2, 1, 0.1, 77).toMatrix4d());
+                .setTransform(Transform.rotate(0.2, 1, 0.1, degrees).toMatrix4d());
         look(0.2, -0.2, 2.2, 0, -0.7, 0, 60, 0);
         return this;
     }

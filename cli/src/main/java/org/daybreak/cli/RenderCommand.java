@@ -130,7 +130,7 @@ final class RenderCommand implements Callable<Integer> {
         ProgressMode mode = ProgressMode.of(progress);
         String wanted = intersector;
         if (wanted == null) {
-            checkIntersectorsMeanwhile();
+            Intersectors.warmUp();
         } else {
             Services.checkIntersector(wanted);
         }
@@ -167,13 +167,6 @@ final class RenderCommand implements Callable<Integer> {
         Scene compiled = Scenes.compile(scene, file, new SceneCompiler.Options(threadCount, intersector));
         RenderJob job = new RenderJob(plan, mode, statistics, session, times);
         return job.run(compiled, file.warnings()).number();
-    }
-
-    /** The fast intersectors prove themselves while the scene is read; compiling it waits for the outcome. */
-    private static void checkIntersectorsMeanwhile() {
-        Thread thread = new Thread(Intersectors::select, "daybreak-intersector-check");
-        thread.setDaemon(true);
-        thread.start();
     }
 
     private List<OutputFile> outputFiles() {

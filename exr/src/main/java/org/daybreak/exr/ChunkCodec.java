@@ -3,8 +3,8 @@ package org.daybreak.exr;
 import java.io.IOException;
 
 /**
- * Packs and unpacks the bytes of one chunk of rows. An instance keeps its work space between calls and belongs to one
- * thread at a time.
+ * Packs and unpacks the bytes of one chunk. An instance keeps its work space between calls and belongs to one thread at
+ * a time.
  */
 interface ChunkCodec extends AutoCloseable {
     /** Returned by {@link #pack} if the packed bytes would not be fewer; the chunk is then stored raw. */
@@ -15,19 +15,19 @@ interface ChunkCodec extends AutoCloseable {
      * free.
      *
      * @return the number of packed bytes, below {@code rawLength}, or {@link #NOT_SMALLER}
+     * @throws UnsupportedOperationException if the method can only be read
      */
     int pack(byte[] raw, int rawLength, byte[] packed, int offset);
 
     /**
-     * Unpacks {@code packed[offset .. offset + packedLength)} into exactly {@code rawLength} bytes of {@code raw}.
+     * Unpacks {@code packed[0 .. packedLength)} into exactly {@code rawLength} bytes of {@code raw}.
      *
+     * @param width columns of the chunk
+     * @param height rows of the chunk
      * @throws IOException if the packed bytes do not stand for exactly {@code rawLength} bytes; the message is a reason
      *     without a file name
      */
-    void unpack(byte[] packed, int offset, int packedLength, byte[] raw, int rawLength) throws IOException;
-
-    /** An upper bound of the raw bytes that {@code packedLength} packed bytes can stand for. */
-    long maxRawLength(long packedLength);
+    void unpack(byte[] packed, int packedLength, byte[] raw, int rawLength, int width, int height) throws IOException;
 
     @Override
     void close();

@@ -1,10 +1,11 @@
 package org.daybreak.exr;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
  * How the chunks of an OpenEXR file are packed. All methods that the file format knows are listed so that a file can be
- * refused by name; {@link #isSupported()} tells which can be read and written.
+ * refused by name; {@link #isReadable()} and {@link #isWritable()} tell what is supported.
  */
 public enum Compression {
     /** Not packed, one row per chunk. */
@@ -54,12 +55,21 @@ public enum Compression {
     }
 
     /**
-     * Tells whether {@link ExrReader} and {@link ExrWriter} know this method.
+     * Tells whether {@link ExrReader} can unpack this method.
      *
-     * @return true if pixels can be read and written
+     * @return true for NONE, RLE, ZIPS, ZIP, PIZ and PXR24
      */
-    public boolean isSupported() {
-        return this == NONE || this == ZIPS || this == ZIP;
+    public boolean isReadable() {
+        return isWritable() || this == PIZ || this == PXR24;
+    }
+
+    /**
+     * Tells whether {@link ExrWriter} can pack with this method; then it can also be read.
+     *
+     * @return true for NONE, RLE, ZIPS and ZIP
+     */
+    public boolean isWritable() {
+        return this == NONE || this == RLE || this == ZIPS || this == ZIP;
     }
 
     int linesPerChunk() {
@@ -80,18 +90,42 @@ public enum Compression {
      * Opens a codec for one thread.
      *
      * @param deflateLevel level 0 to 9 for the methods that deflate
-     * @throws UnsupportedOperationException if the method is not supported
+     * @param channels the channels of a part
+     * @throws UnsupportedOperationException if the method cannot be read
      */
-    ChunkCodec openCodec(int deflateLevel) {
+    ChunkCodec openCodec(int deflateLevel, List<ExrChannel> channels) {
         return switch (this) {
             case NONE -> new RawCodec();
+            case RLE -> new RleCodec();
             case ZIPS, ZIP -> new DeflateCodec(deflateLevel);
+            case PIZ -> new PizCodec(channels);
+            case PXR24 -> new Pxr24Codec(channels);
             default -> throw new UnsupportedOperationException(notSupported());
         };
     }
 
-    /** The reason given when a file or a caller asks for a method that is not supported. */
+    /** An upper bound of the raw bytes that one packed byte can stand for. */
+    int maxExpansion() {
+        return switch (this) {
+            case NONE -> 1;
+            case RLE -> 64;
+            // At best two bits stand for 258 bytes.
+            case ZIPS, ZIP -> 1032;
+            // At best ten bits stand for 256 words of two bytes.
+            case PIZ -> 410;
+            // As ZIP, and every third byte may be followed by one that is not stored.
+            case PXR24 -> 1376;
+            default -> throw new UnsupportedOperationException(notSupported());
+        };
+    }
+
+    /** The reason given when a file asks for a method that is not supported. */
     String notSupported() {
         return "compression " + name() + " is not supported";
+    }
+
+    /** The reason given when a caller asks for a method that is not written. */
+    String notWritable() {
+        return isReadable() ? "compression " + name() + " can be read, but not written" : notSupported();
     }
 }

@@ -20,7 +20,8 @@ import org.jspecify.annotations.Nullable;
  * @param screenWindowCenter centre of the screen window of a perspective camera at distance 1
  * @param screenWindowWidth width of the screen window of a perspective camera at distance 1
  * @param channels all channels, sorted by name (bytes of UTF-8)
- * @param attributes all further attributes in file order
+ * @param tiles how a tiled image is cut, or null for an image of scan lines
+ * @param attributes all further attributes in file order; {@code name} is the name of a part
  */
 public record ExrHeader(
         Box2i dataWindow,
@@ -31,6 +32,7 @@ public record ExrHeader(
         V2f screenWindowCenter,
         float screenWindowWidth,
         List<ExrChannel> channels,
+        @Nullable TileDescription tiles,
         Map<String, ExrAttribute> attributes) {
 
     /** Names that the format itself needs; they are fields of this record or follow from it. */
@@ -47,6 +49,9 @@ public record ExrHeader(
             "chunkCount",
             "version",
             "tiles");
+
+    /** The attribute that holds the name of a part. */
+    static final String NAME = "name";
 
     /** Names and type names longer than this need the long-name flag. */
     static final int SHORT_NAME_BYTES = 31;
@@ -86,6 +91,15 @@ public record ExrHeader(
      */
     public long height() {
         return dataWindow.height();
+    }
+
+    /**
+     * Returns the name of this part; a file with several parts has one for each.
+     *
+     * @return the attribute {@code name}, or the empty string
+     */
+    public String name() {
+        return attributes.get(NAME) instanceof ExrAttribute.StringValue text ? text.value() : "";
     }
 
     /**
@@ -161,7 +175,7 @@ public record ExrHeader(
             throw new IllegalArgumentException("attribute '" + name + "' is set by the file format itself");
         }
         // The official library refuses the whole file otherwise: it is the name of the part.
-        if (name.equals("name") && !value.typeName().equals("string")) {
+        if (name.equals(NAME) && !value.typeName().equals("string")) {
             throw new IllegalArgumentException("attribute 'name' must be a string");
         }
     }

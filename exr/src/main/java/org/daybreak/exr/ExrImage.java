@@ -6,24 +6,24 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 
 /**
- * An OpenEXR image: its header and, for each channel, one array of samples in rows from top to bottom. HALF and FLOAT
- * channels are held as {@code float[]}, UINT channels as {@code int[]}.
+ * An OpenEXR image (one part of a file): its header and, for each channel, one array of samples in rows from top to
+ * bottom. HALF and FLOAT channels are held as {@code float[]}, UINT channels as {@code int[]}. A tiled image may hold
+ * reduced copies of itself, its levels; the samples of the image are those of level (0, 0).
  *
  * <p>The description is immutable. The sample arrays are handed in and out without copying, as images are large: who
  * changes an array changes the image.
  */
 public final class ExrImage {
     private final ExrHeader header;
-    private final Map<String, float[]> samples;
-    private final Map<String, int[]> uintSamples;
+    private final List<ExrLevel> levels;
 
-    /** Takes the maps over; there must be an array of the size of the data window for each channel. */
-    ExrImage(ExrHeader header, Map<String, float[]> samples, Map<String, int[]> uintSamples) {
+    /** The levels come in the order of the file, and each has the size that the header says. */
+    ExrImage(ExrHeader header, List<ExrLevel> levels) {
         this.header = header;
-        this.samples = samples;
-        this.uintSamples = uintSamples;
+        this.levels = List.copyOf(levels);
     }
 
     /**
@@ -73,11 +73,7 @@ public final class ExrImage {
      * @throws IllegalArgumentException if there is no such channel, or it is a UINT channel
      */
     public float[] samples(String channel) {
-        float[] found = samples.get(channel);
-        if (found == null) {
-            throw missing(channel, uintSamples.containsKey(channel), "holds unsigned integers");
-        }
-        return found;
+        return levels.get(0).samples(channel);
     }
 
     /**
@@ -89,11 +85,7 @@ public final class ExrImage {
      * @throws IllegalArgumentException if there is no such channel, or it is a HALF or FLOAT channel
      */
     public int[] uintSamples(String channel) {
-        int[] found = uintSamples.get(channel);
-        if (found == null) {
-            throw missing(channel, samples.containsKey(channel), "holds floating-point numbers");
-        }
-        return found;
+        return levels.get(0).uintSamples(channel);
     }
 
     /**
@@ -105,26 +97,74 @@ public final class ExrImage {
      * @throws IllegalArgumentException if a channel is missing or of type UINT, or the samples do not fit an array
      */
     public float[] interleaved(String layer, String... components) {
-        int pixels = width() * height();
-        int stride = components.length;
-        float[] target = new float[checkedLength((long) pixels * stride)];
-        for (int c = 0; c < stride; c++) {
-            float[] plane = samples(ExrChannel.name(layer, components[c]));
-            for (int i = 0; i < pixels; i++) {
-                target[i * stride + c] = plane[i];
-            }
+        return levels.get(0).interleaved(layer, components);
+    }
+
+    /**
+     * Returns how many sizes the levels have horizontally.
+     *
+     * @return 1 unless the image is tiled with several levels
+     */
+    public int xLevels() {
+        TileDescription tiles = header.tiles();
+        return tiles == null ? 1 : tiles.xLevels(width(), height());
+    }
+
+    /**
+     * Returns how many sizes the levels have vertically.
+     *
+     * @return 1 unless the image is tiled with several levels
+     */
+    public int yLevels() {
+        TileDescription tiles = header.tiles();
+        return tiles == null ? 1 : tiles.yLevels(width(), height());
+    }
+
+    /**
+     * Returns the image at one resolution.
+     *
+     * @param xLevel binary logarithm of the horizontal reduction
+     * @param yLevel binary logarithm of the vertical reduction
+     * @return the samples
+     * @throws IllegalArgumentException if there is no such level; a mip map has only those with two equal numbers
+     */
+    public ExrLevel level(int xLevel, int yLevel) {
+        TileDescription tiles = header.tiles();
+        boolean mipmap = tiles != null && tiles.mode() == TileDescription.LevelMode.MIPMAP;
+        if (xLevel < 0 || yLevel < 0 || xLevel >= xLevels() || yLevel >= yLevels() || (mipmap && xLevel != yLevel)) {
+            throw new IllegalArgumentException("there is no level (" + xLevel + ", " + yLevel + ")");
         }
-        return target;
+        return levels.get(mipmap ? xLevel : yLevel * xLevels() + xLevel);
     }
 
-    private IllegalArgumentException missing(String channel, boolean otherType, String otherContent) {
-        return new IllegalArgumentException(
-                otherType
-                        ? "channel '" + channel + "' " + otherContent
-                        : "no channel '" + channel + "'; the image has " + String.join(", ", header.channelNames()));
+    /** All levels in the order of the file. */
+    List<ExrLevel> levels() {
+        return levels;
     }
 
-    private static int checkedLength(long length) {
+    /**
+     * Starts an image with everything that this one has, sharing its arrays; levels are made anew.
+     *
+     * @return a builder
+     */
+    public Builder toBuilder() {
+        Builder builder = new Builder(width(), height())
+                .dataWindowOrigin(
+                        header.dataWindow().xMin(), header.dataWindow().yMin())
+                .displayWindow(header.displayWindow())
+                .pixelAspectRatio(header.pixelAspectRatio())
+                .screenWindow(header.screenWindowCenter(), header.screenWindowWidth())
+                .tiles(header.tiles())
+                .attributes(header.attributes());
+        for (ExrChannel channel : header.channels()) {
+            builder.channels.put(channel.name(), channel);
+        }
+        builder.samples.putAll(levels.get(0).samples());
+        builder.uintSamples.putAll(levels.get(0).uintSamples());
+        return builder;
+    }
+
+    static int checkedLength(long length) {
         if (length > Integer.MAX_VALUE - 8) {
             throw new IllegalArgumentException(length + " samples do not fit one array");
         }
@@ -145,6 +185,7 @@ public final class ExrImage {
         private float pixelAspectRatio = 1;
         private V2f screenWindowCenter = new V2f(0, 0);
         private float screenWindowWidth = 1;
+        private @Nullable TileDescription tiles;
 
         private Builder(int width, int height) {
             this.width = width;
@@ -200,6 +241,28 @@ public final class ExrImage {
             screenWindowCenter = center;
             screenWindowWidth = windowWidth;
             return this;
+        }
+
+        /**
+         * Makes the image a tiled one, or again one of scan lines. Reduced levels are made by {@link #build()}: a sample
+         * of a HALF or FLOAT channel is the mean over the area that it covers, of a UINT channel the one in its middle.
+         *
+         * @param description how to cut the image, or null for scan lines
+         * @return this
+         */
+        public Builder tiles(@Nullable TileDescription description) {
+            tiles = description;
+            return this;
+        }
+
+        /**
+         * Names the image as a part of a file, see {@link ExrWriter#writeParts}.
+         *
+         * @param name name, unique in the file
+         * @return this
+         */
+        public Builder name(String name) {
+            return attribute(ExrHeader.NAME, name);
         }
 
         /**
@@ -358,8 +421,10 @@ public final class ExrImage {
                     screenWindowCenter,
                     screenWindowWidth,
                     sorted,
+                    tiles,
                     attributes);
-            return new ExrImage(header, new HashMap<>(samples), new HashMap<>(uintSamples));
+            ExrLevel full = new ExrLevel(width, height, new HashMap<>(samples), new HashMap<>(uintSamples));
+            return new ExrImage(header, tiles == null ? List.of(full) : LevelReduction.levels(tiles, full));
         }
 
         private void add(ExrChannel channel, int length) {

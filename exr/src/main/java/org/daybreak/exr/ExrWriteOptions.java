@@ -3,7 +3,7 @@ package org.daybreak.exr;
 /**
  * How an OpenEXR file is to be written.
  *
- * @param compression NONE, ZIPS or ZIP
+ * @param compression NONE, RLE, ZIPS or ZIP
  * @param deflateLevel effort of ZIPS and ZIP, 1 (fast) to 9 (small)
  * @param threads most threads to use, at least 1; has no influence on the bytes of the file
  */
@@ -14,11 +14,11 @@ public record ExrWriteOptions(Compression compression, int deflateLevel, int thr
     /**
      * Checks the options.
      *
-     * @throws IllegalArgumentException if the compression is not supported or a number is out of its range
+     * @throws IllegalArgumentException if the compression cannot be written or a number is out of its range
      */
     public ExrWriteOptions {
-        if (!compression.isSupported()) {
-            throw new IllegalArgumentException(compression.notSupported());
+        if (!compression.isWritable()) {
+            throw new IllegalArgumentException(compression.notWritable());
         }
         if (deflateLevel < 1 || deflateLevel > 9) {
             throw new IllegalArgumentException("the deflate level must be 1 to 9, not " + deflateLevel);
@@ -41,9 +41,9 @@ public record ExrWriteOptions(Compression compression, int deflateLevel, int thr
     /**
      * Returns these options with another compression.
      *
-     * @param other NONE, ZIPS or ZIP
+     * @param other NONE, RLE, ZIPS or ZIP
      * @return changed options
-     * @throws IllegalArgumentException if the compression is not supported
+     * @throws IllegalArgumentException if the compression cannot be written
      */
     public ExrWriteOptions withCompression(Compression other) {
         return new ExrWriteOptions(other, deflateLevel, threads);

@@ -4,12 +4,15 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/** Reads magic number, version field and attributes; afterwards the source stands at the chunk offset table. */
+/** Reads magic number, version field and the attributes of all parts; afterwards the source stands at the first table of
+ * chunk offsets. */
 final class HeaderParser {
     static final int MAGIC = 20000630;
     static final int VERSION = 2;
@@ -18,11 +21,18 @@ final class HeaderParser {
     static final int FLAG_DEEP = 0x800;
     static final int FLAG_MULTIPART = 0x1000;
 
+    static final String SCANLINE_TYPE = "scanlineimage";
+    static final String TILED_TYPE = "tiledimage";
+
+    private static final String DEEP = "deep images are not supported";
+    /** Two sizes and a byte of modes. */
+    private static final int TILE_DESCRIPTION_BYTES = 9;
+
     private static final int KNOWN_FLAGS = FLAG_TILED | FLAG_LONG_NAMES | FLAG_DEEP | FLAG_MULTIPART;
     /** NUL behind the name, type, flag, three reserved bytes and two sampling rates. */
     private static final int CHANNEL_TAIL_BYTES = 17;
 
-    private final FileSource source;
+    private final ImageSource source;
 
     private @Nullable Box2i dataWindow;
     private @Nullable Box2i displayWindow;
@@ -34,20 +44,25 @@ final class HeaderParser {
     private @Nullable List<ExrChannel> channels;
     private final Map<String, ExrAttribute> attributes = new LinkedHashMap<>();
 
-    private HeaderParser(FileSource source) {
+    private @Nullable TileDescription tiles;
+    private @Nullable String partType;
+    private @Nullable Integer chunkCount;
+
+    private HeaderParser(ImageSource source) {
         this.source = source;
     }
 
-    /** Parses the header that starts at the current place of the source. */
-    static ExrHeader parse(FileSource source) throws ImageFileException {
-        HeaderParser parser = new HeaderParser(source);
-        int maxNameBytes = parser.parseVersion();
-        parser.parseAttributes(maxNameBytes);
-        return parser.header();
-    }
+    /**
+     * The headers of a file.
+     *
+     * @param parts one for each part, at least one
+     * @param chunkCounts for each part, what it says about the length of its table of offsets; −1 where nothing
+     * @param multipart true if each chunk names its part
+     */
+    record Headers(List<ExrHeader> parts, List<Integer> chunkCounts, boolean multipart) {}
 
-    /** Returns the longest allowed name. */
-    private int parseVersion() throws ImageFileException {
+    /** Parses the headers; the source stands at the start of the file. */
+    static Headers parse(ImageSource source) throws ImageFileException {
         if (source.readInt("the magic number") != MAGIC) {
             throw source.error("is not an OpenEXR file (wrong magic number)");
         }
@@ -56,27 +71,58 @@ final class HeaderParser {
         if (version != VERSION) {
             throw source.error("OpenEXR version " + version + " is not supported");
         }
-        if ((field & FLAG_MULTIPART) != 0) {
-            throw source.error("multi-part files are not supported");
-        }
         if ((field & FLAG_DEEP) != 0) {
-            throw source.error("deep images are not supported");
-        }
-        if ((field & FLAG_TILED) != 0) {
-            throw source.error("tiled images are not supported");
+            throw source.error(DEEP);
         }
         if ((field & ~(0xff | KNOWN_FLAGS)) != 0) {
             throw source.error(
                     "the version field has unknown flags 0x" + Integer.toHexString(field & ~(0xff | KNOWN_FLAGS)));
         }
-        return (field & FLAG_LONG_NAMES) != 0 ? ExrHeader.MAX_NAME_BYTES : ExrHeader.SHORT_NAME_BYTES;
+        int maxNameBytes = (field & FLAG_LONG_NAMES) != 0 ? ExrHeader.MAX_NAME_BYTES : ExrHeader.SHORT_NAME_BYTES;
+        boolean tiled = (field & FLAG_TILED) != 0;
+        if ((field & FLAG_MULTIPART) == 0) {
+            HeaderParser parser = new HeaderParser(source);
+            parser.parseAttributes(maxNameBytes);
+            return new Headers(List.of(parser.header(tiled)), List.of(-1), false);
+        }
+        if (tiled) {
+            throw source.error("the header is damaged: the flags for tiles and for several parts exclude each other");
+        }
+        return parseParts(source, maxNameBytes);
     }
 
-    private void parseAttributes(int maxNameBytes) throws ImageFileException {
+    private static Headers parseParts(ImageSource source, int maxNameBytes) throws ImageFileException {
+        List<ExrHeader> parts = new ArrayList<>();
+        List<Integer> chunkCounts = new ArrayList<>();
+        Set<String> names = new HashSet<>();
         while (true) {
+            HeaderParser parser = new HeaderParser(source);
+            if (!parser.parseAttributes(maxNameBytes)) {
+                break;
+            }
+            String type = parser.required(parser.partType, "type");
+            ExrHeader header = parser.header(type.equals(TILED_TYPE));
+            if (!header.attributes().containsKey(ExrHeader.NAME)) {
+                throw source.error("the header has no attribute '" + ExrHeader.NAME + "'");
+            }
+            if (!names.add(header.name())) {
+                throw source.error("the header is damaged: two parts are called '" + header.name() + "'");
+            }
+            chunkCounts.add(parser.required(parser.chunkCount, "chunkCount"));
+            parts.add(header);
+        }
+        if (parts.isEmpty()) {
+            throw source.error("the header is damaged: there is no part");
+        }
+        return new Headers(parts, chunkCounts, true);
+    }
+
+    /** Returns false if there is no attribute. */
+    private boolean parseAttributes(int maxNameBytes) throws ImageFileException {
+        for (boolean any = false; ; any = true) {
             String name = text(source.readNulTerminated(maxNameBytes, "an attribute name"), "an attribute name");
             if (name.isEmpty()) {
-                return;
+                return any;
             }
             String what = "attribute '" + name + "'";
             String type = text(source.readNulTerminated(maxNameBytes, "the type of " + what), "the type of " + what);
@@ -104,7 +150,7 @@ final class HeaderParser {
                 int code = oneByte(name, type, bytes);
                 LineOrder known = LineOrder.ofCode(code);
                 if (known == null) {
-                    throw source.error("line order " + code + " is not valid for a scanline image");
+                    throw source.error("the unknown line order " + code + " is not supported");
                 }
                 lineOrder = once(name, lineOrder, known);
             }
@@ -118,9 +164,16 @@ final class HeaderParser {
                 }
                 screenWindowCenter = once(name, screenWindowCenter, pair.value());
             }
-            case "type" -> checkPartType(type, bytes);
-            case "chunkCount", "version", "tiles" -> {
-                // Follow from the image when it is written again; of no use for reading a single scanline part.
+            case "type" -> partType = once(name, partType, parsePartType(type, bytes));
+            case "tiles" -> tiles = once(name, tiles, parseTiles(type, bytes));
+            case "chunkCount" -> {
+                if (!(value(name, type, "int", bytes) instanceof ExrAttribute.IntValue number)) {
+                    throw wrongType(name, type, "int");
+                }
+                chunkCount = once(name, chunkCount, number.value());
+            }
+            case "version" -> {
+                // Of deep images; says nothing about others.
             }
             default -> {
                 ExrAttribute attribute = AttributeCodec.decode(type, bytes);
@@ -131,7 +184,7 @@ final class HeaderParser {
                 try {
                     ExrHeader.checkAttribute(name, attribute);
                 } catch (IllegalArgumentException e) {
-                    throw new ImageFileException(source.path(), "the header is damaged: " + e.getMessage(), e);
+                    throw source.error("the header is damaged: " + e.getMessage(), e);
                 }
                 if (attributes.putIfAbsent(name, attribute) != null) {
                     throw twice(name);
@@ -140,16 +193,30 @@ final class HeaderParser {
         }
     }
 
-    private void checkPartType(String type, byte[] bytes) throws ImageFileException {
+    private String parsePartType(String type, byte[] bytes) throws ImageFileException {
         String part = type.equals("string") ? text(bytes, "attribute 'type'") : "";
-        switch (part) {
-            case "scanlineimage" -> {
-                // What this reader reads.
-            }
-            case "tiledimage" -> throw source.error("tiled images are not supported");
-            case "deepscanline", "deeptile" -> throw source.error("deep images are not supported");
+        return switch (part) {
+            case SCANLINE_TYPE, TILED_TYPE -> part;
+            case "deepscanline", "deeptile" -> throw source.error(DEEP);
             default -> throw source.error("the header is damaged: attribute 'type' is not a known kind of image");
+        };
+    }
+
+    private TileDescription parseTiles(String type, byte[] bytes) throws ImageFileException {
+        if (!type.equals("tiledesc") || bytes.length != TILE_DESCRIPTION_BYTES) {
+            throw wrongType("tiles", type, "tiledesc");
         }
+        ByteBuffer in = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+        int width = in.getInt();
+        int height = in.getInt();
+        int modes = in.get() & 0xff;
+        TileDescription.LevelMode mode = TileDescription.LevelMode.ofCode(modes & 0xf);
+        TileDescription.LevelRounding rounding = TileDescription.LevelRounding.ofCode(modes >> 4);
+        if (width < 1 || height < 1 || mode == null || rounding == null) {
+            throw source.error("the header is damaged: tiles of " + Integer.toUnsignedString(width) + " x "
+                    + Integer.toUnsignedString(height) + " pixels with level mode " + modes + " are not valid");
+        }
+        return new TileDescription(width, height, mode, rounding);
     }
 
     private List<ExrChannel> parseChannels(String type, byte[] bytes, int maxNameBytes) throws ImageFileException {
@@ -258,7 +325,13 @@ final class HeaderParser {
         return value;
     }
 
-    private ExrHeader header() throws ImageFileException {
+    private ExrHeader header(boolean tiled) throws ImageFileException {
+        if (partType != null && partType.equals(TILED_TYPE) != tiled) {
+            throw source.error("the header is damaged: attribute 'type' contradicts the version field");
+        }
+        if (!tiled && lineOrder == LineOrder.RANDOM_Y) {
+            throw source.error("line order RANDOM_Y is not valid for a scanline image");
+        }
         try {
             return new ExrHeader(
                     required(dataWindow, "dataWindow"),
@@ -269,9 +342,10 @@ final class HeaderParser {
                     required(screenWindowCenter, "screenWindowCenter"),
                     required(screenWindowWidth, "screenWindowWidth"),
                     required(channels, "channels"),
+                    tiled ? required(tiles, "tiles") : null,
                     attributes);
         } catch (IllegalArgumentException e) {
-            throw new ImageFileException(source.path(), "the header is damaged: " + e.getMessage(), e);
+            throw source.error("the header is damaged: " + e.getMessage(), e);
         }
     }
 }

@@ -1,37 +1,72 @@
 package org.daybreak.exr;
 
 import java.io.ByteArrayOutputStream;
+import java.util.List;
 import java.util.Map;
 
-/** Writes magic number, version field and attributes. */
+/** Writes magic number, version field and the attributes of all parts. */
 final class HeaderWriter {
     private final ByteArrayOutputStream out = new ByteArrayOutputStream();
 
     private HeaderWriter() {}
 
     /**
-     * Writes the header of a scanline file with rows in increasing order.
+     * Writes the headers of a file with chunks in increasing order. Several parts must have names.
      *
-     * @param header what to write, except compression and line order
+     * @param parts what to write, except compression and line order
+     * @param chunkCounts lengths of the tables of offsets
      * @param compression how the chunks will be packed
      */
-    static byte[] write(ExrHeader header, Compression compression) {
+    static byte[] write(List<ExrHeader> parts, List<Integer> chunkCounts, Compression compression) {
         HeaderWriter writer = new HeaderWriter();
-        writer.putInt(HeaderParser.MAGIC);
-        writer.putInt(HeaderParser.VERSION | (needsLongNames(header) ? HeaderParser.FLAG_LONG_NAMES : 0));
-        writer.put("channels", "chlist", channelList(header));
-        writer.put("compression", "compression", new byte[] {(byte) compression.code()});
-        writer.put("dataWindow", new ExrAttribute.Box2iValue(header.dataWindow()));
-        writer.put("displayWindow", new ExrAttribute.Box2iValue(header.displayWindow()));
-        writer.put("lineOrder", "lineOrder", new byte[] {(byte) LineOrder.INCREASING_Y.code()});
-        writer.put("pixelAspectRatio", new ExrAttribute.FloatValue(header.pixelAspectRatio()));
-        writer.put("screenWindowCenter", new ExrAttribute.V2fValue(header.screenWindowCenter()));
-        writer.put("screenWindowWidth", new ExrAttribute.FloatValue(header.screenWindowWidth()));
-        for (Map.Entry<String, ExrAttribute> entry : header.attributes().entrySet()) {
-            writer.put(entry.getKey(), entry.getValue());
+        boolean multipart = parts.size() > 1;
+        int flags = multipart ? HeaderParser.FLAG_MULTIPART : 0;
+        if (!multipart && parts.get(0).tiles() != null) {
+            flags |= HeaderParser.FLAG_TILED;
         }
-        writer.out.write(0);
+        if (parts.stream().anyMatch(HeaderWriter::needsLongNames)) {
+            flags |= HeaderParser.FLAG_LONG_NAMES;
+        }
+        writer.putInt(HeaderParser.MAGIC);
+        writer.putInt(HeaderParser.VERSION | flags);
+        for (int i = 0; i < parts.size(); i++) {
+            writer.putPart(parts.get(i), compression);
+            if (multipart) {
+                boolean tiled = parts.get(i).tiles() != null;
+                writer.put("chunkCount", new ExrAttribute.IntValue(chunkCounts.get(i)));
+                writer.put(
+                        "type",
+                        new ExrAttribute.StringValue(tiled ? HeaderParser.TILED_TYPE : HeaderParser.SCANLINE_TYPE));
+            }
+            writer.out.write(0);
+        }
+        if (multipart) {
+            // An empty header ends the list.
+            writer.out.write(0);
+        }
         return writer.out.toByteArray();
+    }
+
+    private void putPart(ExrHeader header, Compression compression) {
+        put("channels", "chlist", channelList(header));
+        put("compression", "compression", new byte[] {(byte) compression.code()});
+        put("dataWindow", new ExrAttribute.Box2iValue(header.dataWindow()));
+        put("displayWindow", new ExrAttribute.Box2iValue(header.displayWindow()));
+        put("lineOrder", "lineOrder", new byte[] {(byte) LineOrder.INCREASING_Y.code()});
+        put("pixelAspectRatio", new ExrAttribute.FloatValue(header.pixelAspectRatio()));
+        put("screenWindowCenter", new ExrAttribute.V2fValue(header.screenWindowCenter()));
+        put("screenWindowWidth", new ExrAttribute.FloatValue(header.screenWindowWidth()));
+        TileDescription tiles = header.tiles();
+        if (tiles != null) {
+            HeaderWriter value = new HeaderWriter();
+            value.putInt(tiles.width());
+            value.putInt(tiles.height());
+            value.out.write(tiles.mode().ordinal() | tiles.rounding().ordinal() << 4);
+            put("tiles", "tiledesc", value.out.toByteArray());
+        }
+        for (Map.Entry<String, ExrAttribute> entry : header.attributes().entrySet()) {
+            put(entry.getKey(), entry.getValue());
+        }
     }
 
     private static boolean needsLongNames(ExrHeader header) {

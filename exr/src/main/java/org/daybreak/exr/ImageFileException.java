@@ -19,8 +19,18 @@ public final class ImageFileException extends IOException {
      * @param reason what is wrong, without the file name
      */
     public ImageFileException(Path file, String reason) {
-        super(file + ": " + reason);
-        this.file = file.toString();
+        this(file.toString(), reason);
+    }
+
+    /**
+     * Creates the exception for an image that is not in a file of its own.
+     *
+     * @param name what the image is to be called in the message
+     * @param reason what is wrong, without the name
+     */
+    public ImageFileException(String name, String reason) {
+        super(name + ": " + reason);
+        this.file = name;
         this.reason = reason;
     }
 
@@ -32,15 +42,26 @@ public final class ImageFileException extends IOException {
      * @param cause the error underneath
      */
     public ImageFileException(Path file, String reason, Throwable cause) {
-        super(file + ": " + reason, cause);
-        this.file = file.toString();
+        this(file.toString(), reason, cause);
+    }
+
+    /**
+     * Creates the exception, with its cause, for an image that is not in a file of its own.
+     *
+     * @param name what the image is to be called in the message
+     * @param reason what is wrong, without the name
+     * @param cause the error underneath
+     */
+    public ImageFileException(String name, String reason, Throwable cause) {
+        super(name + ": " + reason, cause);
+        this.file = name;
         this.reason = reason;
     }
 
     /**
-     * Returns the name of the file as the caller gave it.
+     * Returns the name of the file, or of the image in memory, as the caller gave it.
      *
-     * @return the path as text
+     * @return the path or name as text
      */
     public String file() {
         return file;

@@ -2,12 +2,14 @@ package org.daybreak.exr;
 
 import org.jspecify.annotations.Nullable;
 
-/** The order in which the chunks of rows are stored in the file. Rows of an {@link ExrImage} always run downwards. */
+/** The order in which the chunks of rows or the tiles are stored in the file. Rows of an {@link ExrImage} always run downwards. */
 public enum LineOrder {
     /** Top chunk first. */
     INCREASING_Y(0),
     /** Bottom chunk first. */
-    DECREASING_Y(1);
+    DECREASING_Y(1),
+    /** Any order; tiled images only. */
+    RANDOM_Y(2);
 
     private final int code;
 
@@ -20,7 +22,7 @@ public enum LineOrder {
         return code;
     }
 
-    /** The order with the given code, or null if scanline images know none. */
+    /** The order with the given code, or null if the format has none. */
     static @Nullable LineOrder ofCode(int code) {
         for (LineOrder order : values()) {
             if (order.code == code) {

@@ -10,13 +10,9 @@ final class RawCodec implements ChunkCodec {
     }
 
     @Override
-    public void unpack(byte[] packed, int offset, int packedLength, byte[] raw, int rawLength) throws IOException {
+    public void unpack(byte[] packed, int packedLength, byte[] raw, int rawLength, int width, int height)
+            throws IOException {
         throw new IOException("a chunk holds " + packedLength + " bytes instead of " + rawLength);
-    }
-
-    @Override
-    public long maxRawLength(long packedLength) {
-        return packedLength;
     }
 
     @Override

@@ -9,9 +9,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.ObjIntConsumer;
 
 /** The sample patterns of {@code make_fixtures.py} and access to the files that it made. */
 final class TestPatterns {
+    static final List<String> COMPRESSIONS = List.of("none", "rle", "zips", "zip", "piz", "pxr24");
+
+    private static final int RAMP_WIDTH = 640;
+
     private TestPatterns() {}
 
     /** Bits of a sample as they stand in the file; for HALF in the lower 16 bits. */
@@ -25,10 +30,17 @@ final class TestPatterns {
                 case HALF -> Half.fromFloat(value) & 0xffff;
             };
         }
+        if (pattern.equals("ramp")) {
+            int count = x + y * RAMP_WIDTH + k;
+            return type == PixelType.HALF ? count & 0xffff : count;
+        }
         int bits = x * 0x9E3779B1 + y * 0x85EBCA77 + k * 0xC2B2AE3D + 0x27D4EB2F;
         bits = (bits ^ (bits >>> 15)) * 0x2C1B3C6D;
         bits = (bits ^ (bits >>> 12)) * 0x297A2D39;
         bits ^= bits >>> 15;
+        if (pattern.equals("noise24")) {
+            bits &= ~0xff;
+        }
         return type == PixelType.HALF ? bits >>> 16 : bits;
     }
 
@@ -63,19 +75,59 @@ final class TestPatterns {
         return builder;
     }
 
-    /** Compares all samples bit by bit; k counts the channels in file order. */
+    /** Compares all samples of the full level bit by bit; k counts the channels in file order. */
     static void assertPattern(String pattern, ExrImage image) {
-        int k = 0;
-        for (ExrChannel channel : image.header().channels()) {
-            for (int i = 0; i < image.width() * image.height(); i++) {
-                int expected = bits(pattern, channel.type(), i % image.width(), i / image.width(), k);
-                assertEquals(expected, sampleBits(image, channel, i), channel.name() + " sample " + i);
+        assertPattern(pattern, image.header(), image.level(0, 0), 0);
+    }
+
+    /** Compares all samples of all levels, numbered as in tiled_images.cpp. */
+    static void assertLevels(String pattern, ExrImage image, int part) {
+        eachLevel(
+                image,
+                (x, y) -> assertPattern(pattern, image.header(), image.level(x, y), 10 * x + 100 * y + 1000 * part));
+    }
+
+    /** Fills all levels, numbered as in tiled_images.cpp. */
+    static void fillLevels(String pattern, ExrImage image, int part) {
+        eachLevel(image, (x, y) -> {
+            int k = 10 * x + 100 * y + 1000 * part;
+            ExrLevel level = image.level(x, y);
+            for (ExrChannel channel : image.header().channels()) {
+                if (channel.type() == PixelType.UINT) {
+                    int[] plane = uints(pattern, level.width(), level.height(), k++);
+                    System.arraycopy(plane, 0, level.uintSamples(channel.name()), 0, plane.length);
+                } else {
+                    float[] plane = floats(pattern, channel.type(), level.width(), level.height(), k++);
+                    System.arraycopy(plane, 0, level.samples(channel.name()), 0, plane.length);
+                }
+            }
+        });
+    }
+
+    private static void eachLevel(ExrImage image, ObjIntConsumer<Integer> action) {
+        TileDescription tiles = image.header().tiles();
+        boolean rip = tiles != null && tiles.mode() == TileDescription.LevelMode.RIPMAP;
+        for (int y = 0; y < image.yLevels(); y++) {
+            for (int x = rip ? 0 : y; x < (rip ? image.xLevels() : y + 1); x++) {
+                action.accept(x, y);
+            }
+        }
+    }
+
+    private static void assertPattern(String pattern, ExrHeader header, ExrLevel level, int firstK) {
+        int k = firstK;
+        for (ExrChannel channel : header.channels()) {
+            for (int i = 0; i < level.width() * level.height(); i++) {
+                int expected = bits(pattern, channel.type(), i % level.width(), i / level.width(), k);
+                if (expected != sampleBits(level, channel, i)) {
+                    assertEquals(expected, sampleBits(level, channel, i), channel.name() + " sample " + i);
+                }
             }
             k++;
         }
     }
 
-    private static int sampleBits(ExrImage image, ExrChannel channel, int i) {
+    private static int sampleBits(ExrLevel image, ExrChannel channel, int i) {
         return switch (channel.type()) {
             case UINT -> image.uintSamples(channel.name())[i];
             case FLOAT -> Float.floatToRawIntBits(image.samples(channel.name())[i]);
@@ -130,15 +182,41 @@ final class TestPatterns {
         }
     }
 
-    static List<String> allFixtures() {
+    /** All fixtures of one part in scan lines. */
+    static List<String> scanlineFixtures() {
         List<String> names =
                 new ArrayList<>(List.of("one_pixel.exr", "negative_origin.exr", "decreasing.exr", "layers.exr"));
-        for (String compression : List.of("none", "zips", "zip")) {
+        for (String compression : COMPRESSIONS) {
             for (String type : List.of("half", "float", "uint")) {
                 names.add(compression + "_" + type + "_smooth.exr");
-                names.add(compression + "_" + type + "_noise.exr");
+                names.add(compression + "_" + type + "_"
+                        + (compression.equals("pxr24") && type.equals("float") ? "noise24" : "noise") + ".exr");
+            }
+        }
+        for (String type : List.of("half", "float", "uint")) {
+            names.add("piz_" + type + "_ramp.exr");
+        }
+        return names;
+    }
+
+    /** All fixtures of one part in tiles that tiled_images.cpp made. */
+    static List<String> tiledFixtures() {
+        List<String> names = new ArrayList<>(List.of("tiled_zip_mip_noise.exr", "tiled_piz_rip_noise.exr"));
+        for (String compression : COMPRESSIONS) {
+            for (String levels : List.of("one_down", "one_up", "mip_down", "mip_up", "rip_down", "rip_up")) {
+                names.add("tiled_" + compression + "_" + levels + ".exr");
             }
         }
         return names;
+    }
+
+    /** The pattern of a fixture. */
+    static String pattern(String fixture) {
+        for (String pattern : List.of("noise24", "noise", "ramp")) {
+            if (fixture.contains(pattern)) {
+                return pattern;
+            }
+        }
+        return "smooth";
     }
 }

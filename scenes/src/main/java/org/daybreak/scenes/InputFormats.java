@@ -29,7 +29,8 @@ public final class InputFormats {
                         List.of("xml"),
                         "Scenes, with <default>, <include>, <ref> and transforms; the types of objects are listed below."),
                 new Format("Wavefront OBJ", List.of("obj"), "Polygon meshes; materials are not read."),
-                new Format("PLY", List.of("ply"), "Polygon meshes; ASCII and binary of both byte orders."));
+                new Format("PLY", List.of("ply"), "Polygon meshes; ASCII and binary of both byte orders."),
+                new Format("STL", List.of("stl"), "Triangle meshes, flat; ASCII and binary."));
     }
 
     /** The types of objects that scenes may contain, by kind. */

@@ -3,6 +3,7 @@ package org.daybreak.scenes;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeSet;
 import org.daybreak.scenes.build.SceneBuilder;
 import org.daybreak.scenes.description.ProblemList;
 import org.daybreak.scenes.description.SceneDescription;
@@ -11,6 +12,8 @@ import org.daybreak.scenes.description.SourceLocation;
 import org.daybreak.scenes.image.ImageLoader;
 import org.daybreak.scenes.image.StandardImageLoader;
 import org.daybreak.scenes.mitsuba.MitsubaReader;
+import org.daybreak.scenes.model.ModelReader;
+import org.daybreak.scenes.view.AutoView;
 
 /**
  * Reads scene files. Thread-safe if the image loader is; every call stands alone.
@@ -33,7 +36,7 @@ public final class SceneReader {
     }
 
     /**
-     * Reads a scene in the XML format of Mitsuba 3.
+     * Reads a scene in the XML format of Mitsuba, or a mesh (obj, ply, stl), which gets the view of {@link AutoView}.
      *
      * @param file the file; names in it are relative to it
      * @param defines values for {@code $name} in attributes; they go before {@code <default>} values
@@ -42,6 +45,9 @@ public final class SceneReader {
      */
     public SceneFile load(Path file, Map<String, String> defines) throws SceneException {
         ProblemList problems = new ProblemList();
+        if (ModelReader.isModel(file)) {
+            return loadModel(file, defines, problems);
+        }
         Optional<SceneDescription> description = MitsubaReader.read(file, defines, problems);
         if (description.isEmpty()) {
             problems.throwIfErrors();
@@ -50,6 +56,17 @@ public final class SceneReader {
         }
         SceneBuilder.Result result = SceneBuilder.build(description.get(), images, problems);
         problems.throwIfErrors();
+        return new SceneFile(result.graph(), result.request(), problems.warnings());
+    }
+
+    private SceneFile loadModel(Path file, Map<String, String> defines, ProblemList problems) throws SceneException {
+        for (String name : new TreeSet<>(defines.keySet())) {
+            problems.error(
+                    SourceLocation.of(file), "a mesh has no attributes that could use the definition '" + name + "'");
+        }
+        SceneBuilder.Result result = SceneBuilder.build(ModelReader.read(file), images, problems);
+        problems.throwIfErrors();
+        AutoView.complete(result.graph(), ModelReader.zPointsUp(file) ? AutoView.UpAxis.Z : AutoView.UpAxis.Y);
         return new SceneFile(result.graph(), result.request(), problems.warnings());
     }
 }

@@ -15,6 +15,7 @@ import org.daybreak.scenes.build.PropertyDefinition;
 import org.daybreak.scenes.build.ValueType;
 import org.daybreak.scenes.description.ObjectKind;
 import org.daybreak.scenes.description.SceneException;
+import org.daybreak.scenes.mesh.StlReaderTest;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -46,6 +47,7 @@ class InputFormatsTest {
                 end_header
                 0 0 0 1 0 0 0 1 0 3 0 1 2
                 """);
+        SceneTexts.write(folder, "t.stl", StlReaderTest.FACET);
         ImageIO.write(
                 new BufferedImage(2, 1, BufferedImage.TYPE_INT_RGB),
                 "png",

@@ -16,6 +16,8 @@ import org.daybreak.scenes.description.SceneException;
 import org.daybreak.scenes.mesh.MeshFormatException;
 import org.daybreak.scenes.mesh.ObjReader;
 import org.daybreak.scenes.mesh.PlyReader;
+import org.daybreak.scenes.mesh.StlReader;
+import org.daybreak.scenes.mesh.StlReaderTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -170,5 +172,19 @@ class MutationTest {
             data.writeFloat(0.5f);
         }
         mutate("b.ply", out.toByteArray(), 4, file -> PlyReader.read(file, false));
+    }
+
+    @Test
+    void asciiStlFiles() throws IOException {
+        mutate(
+                "t.stl",
+                StlReaderTest.FACET.repeat(3).getBytes(StandardCharsets.UTF_8),
+                5,
+                file -> StlReader.read(file));
+    }
+
+    @Test
+    void binaryStlFiles() throws IOException {
+        mutate("b.stl", StlReaderTest.binary("solid or not", 3, 0), 6, file -> StlReader.read(file));
     }
 }

@@ -194,9 +194,6 @@ class SceneErrorsTest {
                         "<shape type='instance'>§<ref id='s'/></shape><shape type='sphere' id='s'/>",
                         "must contain a shapegroup"),
                 arguments(
-                        "<integrator type='path'>§<boolean name='hide_emitters' value='true'/></integrator>",
-                        "hide_emitters"),
-                arguments(
                         "<integrator type='path'>§<integer name='max_depth' value='0'/></integrator>",
                         "at least 1 but is 0"),
                 arguments(

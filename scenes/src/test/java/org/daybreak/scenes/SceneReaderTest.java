@@ -221,6 +221,22 @@ class SceneReaderTest {
     }
 
     @Test
+    void directionalLightsTravelAlongTheirDirection() throws IOException, SceneException {
+        for (double[] d : new double[][] {{1, 2, -2}, {0, -3, 0}, {0, 0, -1}, {-4, 0, 0}}) {
+            LightNode node = lightNode("<emitter type='directional'><rgb name='irradiance' value='3,2,1'/>"
+                    + "<vector name='direction' value='" + d[0] + " " + d[1] + " " + d[2] + "'/></emitter>");
+            assertEquals(new LightSource.Directional(new Color3f(3, 2, 1)), node.source());
+            double length = Math.hypot(Math.hypot(d[0], d[1]), d[2]);
+            assertEquals(d[0] / length, node.transform().m02, 1e-12);
+            assertEquals(d[1] / length, node.transform().m12, 1e-12);
+            assertEquals(d[2] / length, node.transform().m22, 1e-12);
+        }
+        LightNode turned = lightNode("<emitter type='directional'><transform name='to_world'>"
+                + "<rotate y='1' angle='90'/></transform></emitter>");
+        assertEquals(1, turned.transform().m02, 1e-12);
+    }
+
+    @Test
     void readsImages() throws IOException, SceneException {
         writeImage("t.png", BufferedImage.TYPE_INT_RGB);
         ShapeNode node = shape("<shape type='rectangle'><bsdf type='diffuse'><texture type='bitmap' name='reflectance'>"

@@ -1,6 +1,7 @@
 package org.daybreak.core.geometry;
 
 import org.daybreak.core.math.Arcs;
+import org.daybreak.core.math.Bounds;
 import org.daybreak.core.math.Transform;
 
 /**
@@ -144,5 +145,11 @@ final class CylinderSampler implements SurfaceSampler {
         out.offset = offset;
         out.primitive = 0;
         return stretch;
+    }
+
+    @Override
+    public EmissionBounds bounds() {
+        Bounds box = new Bounds(-1, -1, 0, 1, 1, 1).transform(toWorld);
+        return EmissionBounds.everywhere(box, area() / 4);
     }
 }

@@ -1,7 +1,9 @@
 package org.daybreak.core.light;
 
 import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.geometry.EmissionBounds;
 import org.daybreak.core.geometry.SurfacePoint;
+import org.daybreak.core.math.Bounds;
 import org.daybreak.core.math.Transform;
 import org.daybreak.core.sampling.Warps;
 
@@ -91,6 +93,11 @@ public final class SpotLight implements Light {
         }
         double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
         return luminance * falloff(-(dx * axisX + dy * axisY + dz * axisZ) / length) * irradiance;
+    }
+
+    @Override
+    public EmissionBounds bounds() {
+        return new EmissionBounds(new Bounds(x, y, z, x, y, z), axisX, axisY, axisZ, cutoff, 0, luminance);
     }
 
     @Override

@@ -194,6 +194,14 @@ public final class BitmapTexture implements Texture {
     }
 
     @Override
+    public int detail() {
+        double[] m = uvTransform;
+        double columns = width * (Math.abs(m[0]) + Math.abs(m[1]));
+        double rows = height * (Math.abs(m[3]) + Math.abs(m[4]));
+        return (int) Math.max(1, Math.min(65_536, Math.ceil(Math.max(columns, rows))));
+    }
+
+    @Override
     public double maximum() {
         return maximum;
     }

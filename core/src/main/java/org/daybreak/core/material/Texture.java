@@ -47,4 +47,9 @@ public interface Texture {
     default boolean isConstant() {
         return false;
     }
+
+    /** Number of steps along each side of the unit square of texture space that resolves the pattern; positive. */
+    default int detail() {
+        return 64;
+    }
 }

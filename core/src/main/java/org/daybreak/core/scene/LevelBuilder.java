@@ -61,6 +61,11 @@ final class LevelBuilder {
         }
     }
 
+    /** Number of triangles so far. */
+    int triangleCount() {
+        return cornerCount / 3;
+    }
+
     LevelGeometry build() {
         return new LevelGeometry(
                 Arrays.copyOf(positions, 3 * vertexCount),

@@ -1,6 +1,5 @@
 package org.daybreak.core.scene;
 
-import java.util.Arrays;
 import org.daybreak.core.accel.HitRefinement;
 import org.daybreak.core.accel.Instance;
 import org.daybreak.core.accel.PrimitiveSet;
@@ -150,10 +149,10 @@ final class LevelGeometry {
             ny = instance.worldToObject(1) * ox + instance.worldToObject(5) * oy + instance.worldToObject(9) * oz;
             nz = instance.worldToObject(2) * ox + instance.worldToObject(6) * oy + instance.worldToObject(10) * oz;
         }
-        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        nx /= length;
-        ny /= length;
-        nz /= length;
+        double scale = 1 / Math.sqrt(nx * nx + ny * ny + nz * nz);
+        nx *= scale;
+        ny *= scale;
+        nz *= scale;
         if (nx * hit.gx + ny * hit.gy + nz * hit.gz > 0) {
             setFrame(hit, nx, ny, nz);
         } else {
@@ -198,19 +197,19 @@ final class LevelGeometry {
         hit.setNoAttributes();
     }
 
+    /**
+     * The last mesh that starts at or before the triangle. Empty meshes share their start with the next one; the last of
+     * equal starts is the one that holds the triangle. Halves without branches on the outcome, which would be mispredicted.
+     */
     private int runOf(int triangle) {
-        if (firstTriangle.length == 1) {
-            return 0;
-        }
-        int at = Arrays.binarySearch(firstTriangle, triangle);
-        return at >= 0 ? lastOfEqual(at) : -at - 2;
-    }
-
-    /** Empty meshes share their start with the next mesh; the last of equal starts is the one that holds the triangle. */
-    private int lastOfEqual(int at) {
-        int run = at;
-        while (run + 1 < firstTriangle.length && firstTriangle[run + 1] == firstTriangle[at]) {
-            run++;
+        int[] first = firstTriangle;
+        int run = 0;
+        for (int count = first.length; count > 1; ) {
+            int half = count >>> 1;
+            // 0 if that mesh starts at or before the triangle, else -1.
+            int beyond = (triangle - first[run + half]) >> 31;
+            run += half & ~beyond;
+            count -= half;
         }
         return run;
     }

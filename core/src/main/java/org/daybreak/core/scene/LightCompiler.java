@@ -2,33 +2,18 @@ package org.daybreak.core.scene;
 
 import javax.vecmath.Color3f;
 import org.daybreak.core.color.Spectrum;
-import org.daybreak.core.geometry.Shape;
-import org.daybreak.core.geometry.SurfaceSampler;
-import org.daybreak.core.geometry.SurfaceSamplers;
-import org.daybreak.core.light.AreaLight;
 import org.daybreak.core.light.ConstantEnvironment;
+import org.daybreak.core.light.DirectionalLight;
 import org.daybreak.core.light.ImageEnvironment;
 import org.daybreak.core.light.Light;
 import org.daybreak.core.light.PointLight;
 import org.daybreak.core.light.SpotLight;
-import org.daybreak.core.material.Texture;
 import org.daybreak.core.math.Bounds;
 import org.daybreak.core.math.Transform;
 
 /** Turns light descriptions into lights. */
 final class LightCompiler {
     private LightCompiler() {}
-
-    /**
-     * The light of an emitting shape.
-     *
-     * @param shape the shape, wound as it is intersected
-     * @param index number of the shape in the scene
-     */
-    static Light areaLight(Shape shape, Texture radiance, Transform toWorld, boolean flipNormals, int index) {
-        SurfaceSampler surface = SurfaceSamplers.of(shape, toWorld, flipNormals);
-        return new AreaLight(surface, radiance, index);
-    }
 
     /**
      * A light that is no shape.
@@ -48,6 +33,11 @@ final class LightCompiler {
         double y = scene.isEmpty() ? 0 : scene.centerY();
         double z = scene.isEmpty() ? 0 : scene.centerZ();
         double radius = scene.boundingSphereRadius();
+        if (source instanceof LightSource.Directional directional) {
+            double[] d = new double[3];
+            toWorld.applyVector(0, 0, 1, d);
+            return new DirectionalLight(d[0], d[1], d[2], spectrum(directional.irradiance()), x, y, z, radius);
+        }
         if (source instanceof LightSource.ConstantEnvironment constant) {
             return new ConstantEnvironment(spectrum(constant.radiance()), x, y, z, radius);
         }

@@ -25,6 +25,13 @@ public sealed interface LightSource {
     record Spot(Color3f intensity, double cutoffDegrees, double beamDegrees) implements LightSource {}
 
     /**
+     * Parallel light from infinity that travels along +z.
+     *
+     * @param irradiance irradiance of a surface that faces the light in W/m²
+     */
+    record Directional(Color3f irradiance) implements LightSource {}
+
+    /**
      * The same radiance from all directions.
      *
      * @param radiance radiance in W/(m²·sr)

@@ -12,6 +12,7 @@ import org.daybreak.core.camera.Camera;
 import org.daybreak.core.film.FilmSettings;
 import org.daybreak.core.geometry.Shape;
 import org.daybreak.core.geometry.TriangleMesh;
+import org.daybreak.core.light.AreaLight;
 import org.daybreak.core.light.Light;
 import org.daybreak.core.light.LightSelections;
 import org.daybreak.core.material.Bsdf;
@@ -76,12 +77,14 @@ public final class SceneCompiler {
             Shape geometry = wound(node.shape());
             Texture radiance = node.radiance();
             ShadingNeeds needs = ShadingNeeds.of(node.material(), radiance);
+            int firstPrimitive = builder.triangleCount();
             builder.add(index, geometry, shape.toLevel(), node.flipNormals(), needs);
             if (radiance == null) {
                 lightOfShape.add(-1);
             } else {
                 lightOfShape.add(lights.size());
-                lights.add(LightCompiler.areaLight(geometry, radiance, shape.toLevel(), node.flipNormals(), index));
+                lights.add(
+                        AreaLight.of(geometry, shape.toLevel(), node.flipNormals(), firstPrimitive, radiance, index));
             }
         }
         LevelGeometry geometry = builder.build();

@@ -161,6 +161,10 @@ public final class SurfaceCase {
                 if (Math.abs(o[j] + t * d[j]) <= 1
                         && Math.abs(o[k] + t * d[k]) <= 1
                         && accept(t, n[0], n[1], n[2], px, py, pz, dx, dy, dz, out)) {
+                    // As CubeMesh numbers them: two triangles per face, parted by the diagonal.
+                    int face = 2 * axis + (side + 1) / 2;
+                    boolean first = side * (o[j] + t * d[j]) >= o[k] + t * d[k];
+                    out.primitive = 2 * face + (first ? 0 : 1);
                     return true;
                 }
             }

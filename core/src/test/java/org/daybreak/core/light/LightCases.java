@@ -25,6 +25,7 @@ final class LightCases {
         cases.addAll(area(false));
         cases.addAll(area(true));
         cases.addAll(points());
+        cases.add(directional());
         cases.addAll(infinite());
         return cases;
     }
@@ -48,6 +49,11 @@ final class LightCases {
                 new Case("wide spot", new SpotLight(place, new Spectrum(3, 2, 1), 180, 0)));
     }
 
+    static Case directional() {
+        return new Case("directional", new DirectionalLight(0.3, -2, 0.4, new Spectrum(3, 2, 1), 0.5, -0.5, 1, 2.5));
+    }
+
+    /** Lights at infinity that rays can hit. */
     static List<Case> infinite() {
         return List.of(
                 new Case("constant", new ConstantEnvironment(new Spectrum(3, 2, 1), 0.5, -0.5, 1, 2.5)),

@@ -17,6 +17,7 @@ import org.daybreak.scenes.description.SceneDescription;
 import org.daybreak.scenes.description.SourceLocation;
 import org.daybreak.scenes.description.Value;
 import org.daybreak.scenes.image.ImageLoader;
+import org.daybreak.scenes.model.ModelReader;
 import org.jspecify.annotations.Nullable;
 
 /** What all builders of one scene share: the description, the problems, images, and which objects are being built. */
@@ -123,9 +124,14 @@ final class BuildContext {
      * @return the file, or null if it is not there or cannot be read, which is reported
      */
     @Nullable
-    Path file(String name, SourceLocation location) {
+    Path file(String given, SourceLocation location) {
         Path found;
         try {
+            // Programs on Windows write the separators of their system.
+            String name =
+                    given.indexOf('\\') >= 0 && !Files.exists(location.file().resolveSibling(given))
+                            ? given.replace('\\', '/')
+                            : given;
             found = location.file().resolveSibling(name);
             List<Path> others = new ArrayList<>();
             others.add(description.file().resolveSibling(name));
@@ -138,7 +144,7 @@ final class BuildContext {
                 }
             }
         } catch (InvalidPathException e) {
-            error(location, "'" + name + "' is no file name: " + e.getReason());
+            error(location, "'" + given + "' is no file name: " + e.getReason());
             return null;
         }
         String problem = null;
@@ -161,6 +167,11 @@ final class BuildContext {
     /** The scene's main object. */
     ObjectDescription root() {
         return description.root();
+    }
+
+    /** Whether the description is that of a model, which gets camera and light elsewhere. */
+    boolean isModel() {
+        return description.root().type().equals(ModelReader.MODEL);
     }
 
     static String article(ObjectKind kind) {

@@ -2,8 +2,10 @@ package org.daybreak.scenes.build;
 
 import javax.vecmath.Color3f;
 import javax.vecmath.Matrix4d;
+import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
 import org.daybreak.core.light.RadianceMap;
+import org.daybreak.core.math.Transform;
 import org.daybreak.core.scene.Group;
 import org.daybreak.core.scene.LightNode;
 import org.daybreak.core.scene.LightSource;
@@ -52,6 +54,19 @@ final class LightBuilder {
                 }
                 source = new LightSource.Spot(color(p, "intensity"), cutoff, beam);
             }
+            case "directional" -> {
+                if (p.mentions("direction") && p.mentions("to_world")) {
+                    context.error(p.location("direction"), "either 'direction' or 'to_world' can be given, not both");
+                } else if (p.has("direction")) {
+                    Point3d direction = p.point("direction");
+                    if (direction.distance(new Point3d()) == 0) {
+                        context.error(p.location("direction"), "'direction' must not be zero");
+                        return;
+                    }
+                    toWorld = alongZ(direction);
+                }
+                source = new LightSource.Directional(color(p, "irradiance"));
+            }
             case "constant" -> source = new LightSource.ConstantEnvironment(color(p, "radiance"));
             case "envmap" -> {
                 RadianceMap map = textures.radianceMap(p);
@@ -66,6 +81,14 @@ final class LightBuilder {
         node.setTransform(toWorld);
         node.setName(object.id());
         parent.add(node);
+    }
+
+    /** A rotation that takes +z to a direction. */
+    private static Matrix4d alongZ(Point3d direction) {
+        // Of the axes, the one farthest from the direction gives the best conditioned cross product.
+        boolean steep = Math.abs(direction.y) > Math.abs(direction.x);
+        return Transform.lookAt(0, 0, 0, direction.x, direction.y, direction.z, steep ? 1 : 0, steep ? 0 : 1, 0)
+                .toMatrix4d();
     }
 
     private static Color3f color(Properties p, String name) {

@@ -2,15 +2,19 @@ package org.daybreak.scenes.build;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.Map;
+import java.util.Set;
 import javax.vecmath.Matrix4d;
 import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.scenes.description.SourceLocation;
 import org.daybreak.scenes.mesh.MeshFormatException;
 import org.daybreak.scenes.mesh.ObjReader;
 import org.daybreak.scenes.mesh.PlyReader;
+import org.daybreak.scenes.mesh.SerializedReader;
+import org.daybreak.scenes.mesh.StlReader;
 import org.daybreak.scenes.mesh.VertexNormals;
 import org.daybreak.scenes.mesh.ZeroAreaTriangles;
 import org.jspecify.annotations.Nullable;
@@ -30,12 +34,15 @@ final class MeshBuilder {
     private final IdentityHashMap<TriangleMesh, TriangleMesh> smoothed = new IdentityHashMap<>();
     private final IdentityHashMap<TriangleMesh, TriangleMesh> flattened = new IdentityHashMap<>();
 
+    /** Meshes whose files ask for flat triangles. */
+    private final Set<TriangleMesh> flat = Collections.newSetFromMap(new IdentityHashMap<>());
+
     MeshBuilder(BuildContext context) {
         this.context = context;
     }
 
     /**
-     * The mesh of a shape of type obj or ply.
+     * The mesh of a shape of a mesh type.
      *
      * @param toWorld where it goes; computed normals depend on it as Mitsuba computes them in world space
      * @return null after an error that has been reported
@@ -46,20 +53,22 @@ final class MeshBuilder {
         if (file == null) {
             return null;
         }
-        boolean obj = p.object().type().equals("obj");
-        boolean flip = p.truth("flip_tex_coords");
-        String key = obj + " " + flip + " " + file.toAbsolutePath().normalize();
+        String type = p.object().type();
+        boolean flip = (type.equals("obj") || type.equals("ply")) && p.truth("flip_tex_coords");
+        int index = type.equals("serialized") ? p.integer("shape_index") : 0;
+        String key =
+                type + " " + flip + " " + index + " " + file.toAbsolutePath().normalize();
         TriangleMesh mesh = read.get(key);
         if (mesh == null) {
-            mesh = read(file, obj, flip, p.location("filename"));
+            mesh = read(file, type, flip, index, p.location("filename"));
             if (mesh == null) {
                 return null;
             }
             read.put(key, mesh);
         }
-        if (p.truth("face_normals")) {
-            TriangleMesh flat = mesh;
-            return new Mesh(flattened.computeIfAbsent(flat, m -> withNormals(m, null)), true);
+        if (p.truth("face_normals") || flat.contains(mesh)) {
+            TriangleMesh source = mesh;
+            return new Mesh(flattened.computeIfAbsent(source, m -> withNormals(m, null)), true);
         }
         if (mesh.normals() != null) {
             return new Mesh(mesh, false);
@@ -100,9 +109,22 @@ final class MeshBuilder {
         return n;
     }
 
-    private @Nullable TriangleMesh read(Path file, boolean obj, boolean flip, SourceLocation usedAt) {
+    private TriangleMesh serialized(Path file, int index) throws IOException {
+        SerializedReader.Mesh mesh = SerializedReader.read(file, index);
+        if (mesh.flat()) {
+            flat.add(mesh.mesh());
+        }
+        return mesh.mesh();
+    }
+
+    private @Nullable TriangleMesh read(Path file, String type, boolean flip, int index, SourceLocation usedAt) {
         try {
-            TriangleMesh mesh = obj ? ObjReader.read(file, flip) : PlyReader.read(file, flip);
+            TriangleMesh mesh = switch (type) {
+                case "obj" -> ObjReader.read(file, flip);
+                case "ply" -> PlyReader.read(file, flip);
+                case "stl" -> StlReader.read(file);
+                default -> serialized(file, index);
+            };
             TriangleMesh solid = ZeroAreaTriangles.removedFrom(mesh);
             int removed = mesh.triangleCount() - solid.triangleCount();
             if (solid.triangleCount() == 0) {
@@ -114,6 +136,9 @@ final class MeshBuilder {
                         usedAt,
                         removed + (removed == 1 ? " triangle" : " triangles") + " of zero area in " + file
                                 + (removed == 1 ? " is" : " are") + " left out");
+            }
+            if (flat.remove(mesh)) {
+                flat.add(solid);
             }
             return solid;
         } catch (MeshFormatException e) {

@@ -214,10 +214,10 @@ final class Properties {
             }
             case POINT -> value instanceof Value.Triple ? null : wrongType(value);
             case REFRACTIVE_INDEX -> refractiveIndexProblem(value);
-            case COLOR -> colorProblem(value, definition.minimum(), definition.maximum());
-            case REFLECTANCE -> colorProblem(value, 0, 1);
-            case TEXTURED_NUMBER -> colorProblem(value, definition.minimum(), definition.maximum());
-            case EMISSION, TEXTURED_EMISSION -> colorProblem(value, 0, Double.POSITIVE_INFINITY);
+            case COLOR -> colorProblem(value, definition.type(), definition.minimum(), definition.maximum());
+            case REFLECTANCE -> colorProblem(value, definition.type(), 0, 1);
+            case TEXTURED_NUMBER -> colorProblem(value, definition.type(), definition.minimum(), definition.maximum());
+            case EMISSION, TEXTURED_EMISSION -> colorProblem(value, definition.type(), 0, Double.POSITIVE_INFINITY);
             case TRANSFORM -> value instanceof Value.Transform t ? Affine.problem(t.matrix()) : wrongType(value);
             case OBJECT -> wrongType(value);
         };
@@ -250,8 +250,8 @@ final class Properties {
         return n == null ? wrongType(value) : n > 0 ? null : " but is " + n;
     }
 
-    private static @Nullable String colorProblem(Value value, double minimum, double maximum) {
-        double[] rgb = color(value, false);
+    private static @Nullable String colorProblem(Value value, ValueType type, double minimum, double maximum) {
+        double[] rgb = color(value, type);
         if (rgb == null) {
             return wrongType(value);
         }
@@ -263,7 +263,8 @@ final class Properties {
         return null;
     }
 
-    private static double @Nullable [] color(Value value, boolean emission) {
+    private static double @Nullable [] color(Value value, ValueType type) {
+        boolean emission = type == ValueType.EMISSION || type == ValueType.TEXTURED_EMISSION;
         if (value instanceof Value.Color c) {
             return new double[] {c.r(), c.g(), c.b()};
         }
@@ -272,6 +273,12 @@ final class Properties {
             return emission
                     ? new double[] {v * EQUAL_ENERGY[0], v * EQUAL_ENERGY[1], v * EQUAL_ENERGY[2]}
                     : new double[] {v, v, v};
+        }
+        if (value instanceof Value.SampledSpectrum s) {
+            Value.Color c = emission ? s.light() : s.surface();
+            // Saturated reflectances lie outside the primaries: the nearest colour inside stands for them.
+            double limit = type == ValueType.REFLECTANCE ? 1 : Double.POSITIVE_INFINITY;
+            return new double[] {Math.min(limit, c.r()), Math.min(limit, c.g()), Math.min(limit, c.b())};
         }
         Double n = number(value);
         return n == null ? null : new double[] {n, n, n};
@@ -362,10 +369,8 @@ final class Properties {
     /** A colour as linear RGB, or its default. */
     double[] color(String name) {
         PropertyDefinition definition = definition(name);
-        boolean emission = definition != null
-                && (definition.type() == ValueType.EMISSION || definition.type() == ValueType.TEXTURED_EMISSION);
         PropertyDescription property = values.get(name);
-        double[] given = property == null ? null : color(property.value(), emission);
+        double[] given = property == null || definition == null ? null : color(property.value(), definition.type());
         if (given != null) {
             return given;
         }

@@ -66,7 +66,7 @@ public final class SceneBuilder {
 
     private void readIntegrator(Properties p) {
         if (p.truth("hide_emitters")) {
-            context.error(p.location("hide_emitters"), "'hide_emitters' is not supported: it must be false");
+            context.warning(p.location("hide_emitters"), "'hide_emitters' has no effect: lights stay visible");
         }
         String type = p.object().type();
         rendererId = type.equals("ptracer") ? "light" : "path";
@@ -126,7 +126,7 @@ public final class SceneBuilder {
         for (Properties.Child child : scene.children(ObjectKind.SHAPE)) {
             shapes.addTo(graph.root(), child.object(), child.location());
         }
-        if (shapes.lights() == 0 && scene.children(ObjectKind.EMITTER).isEmpty()) {
+        if (shapes.lights() == 0 && scene.children(ObjectKind.EMITTER).isEmpty() && !context.isModel()) {
             context.warning(scene.location(), "the scene has no light; the picture will be black");
         }
     }

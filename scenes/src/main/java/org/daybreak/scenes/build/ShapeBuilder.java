@@ -17,6 +17,7 @@ import org.daybreak.core.scene.ShapeNode;
 import org.daybreak.scenes.description.ObjectDescription;
 import org.daybreak.scenes.description.ObjectKind;
 import org.daybreak.scenes.description.SourceLocation;
+import org.daybreak.scenes.view.AutoView;
 import org.jspecify.annotations.Nullable;
 
 /** Builds shapes with their materials and emission. */
@@ -26,6 +27,7 @@ final class ShapeBuilder {
     private final BsdfBuilder bsdfs;
     private final MeshBuilder meshes;
     private final IdentityHashMap<ObjectDescription, Group> groups = new IdentityHashMap<>();
+    private final Bsdf neutral = AutoView.neutralMaterial();
     private int lights;
 
     ShapeBuilder(BuildContext context, TextureBuilder textures, BsdfBuilder bsdfs) {
@@ -115,7 +117,7 @@ final class ShapeBuilder {
         Shape shape;
         try {
             switch (p.object().type()) {
-                case "obj", "ply" -> {
+                case "obj", "ply", "stl", "serialized" -> {
                     MeshBuilder.Mesh mesh = meshes.mesh(p, toWorld);
                     if (mesh == null) {
                         return null;
@@ -166,6 +168,9 @@ final class ShapeBuilder {
         if (bsdf != null) {
             return bsdfs.bsdf(bsdf.object(), bsdf.location());
         }
-        return p.child(ObjectKind.EMITTER) == null ? BsdfBuilder.DEFAULT : BsdfBuilder.BLACK;
+        if (p.child(ObjectKind.EMITTER) != null) {
+            return BsdfBuilder.BLACK;
+        }
+        return context.isModel() ? neutral : BsdfBuilder.DEFAULT;
     }
 }

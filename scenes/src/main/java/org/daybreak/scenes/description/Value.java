@@ -63,6 +63,17 @@ public sealed interface Value {
         }
     }
 
+    /**
+     * A spectrum by wavelength, converted to linear RGB both ways: what it is as light has another white than what it is as
+     * a property of a surface.
+     */
+    record SampledSpectrum(Color surface, Color light) implements Value {
+        @Override
+        public String description() {
+            return "a spectrum";
+        }
+    }
+
     /** An affine transform. */
     record Transform(Matrix4d matrix) implements Value {
         /** Copies the matrix. */

@@ -8,23 +8,35 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.Set;
+import java.util.TreeSet;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 
-/** Reads what the JDK can: PNG (8 and 16 bits), JPEG, BMP, GIF. Stored values are kept; colour profiles are ignored. */
+/**
+ * Reads what the JDK can — PNG (8 and 16 bits), JPEG, BMP, GIF — and the linear formats OpenEXR, Radiance HDR and PFM where
+ * a plug-in of ImageIO for them is on the class path, such as the one of Daybreak's module {@code exr}. Stored values are
+ * kept; colour profiles are ignored, and so is the exposure that an HDR file may name.
+ */
 public final class StandardImageLoader implements ImageLoader {
     /** Larger images are refused before memory is asked for. */
     private static final long MOST_SAMPLES = 1L << 30;
 
     private static final Set<String> ENDINGS = Set.of("png", "jpg", "jpeg", "bmp", "gif");
+    private static final Set<String> LINEAR_ENDINGS = Set.of("exr", "hdr", "pfm");
 
     /** Creates a loader; it has no state. */
     public StandardImageLoader() {}
 
     @Override
     public Set<String> endings() {
-        return ENDINGS;
+        Set<String> endings = new TreeSet<>(ENDINGS);
+        for (String ending : LINEAR_ENDINGS) {
+            if (ImageIO.getImageReadersBySuffix(ending).hasNext()) {
+                endings.add(ending);
+            }
+        }
+        return Set.copyOf(endings);
     }
 
     @Override
@@ -67,6 +79,10 @@ public final class StandardImageLoader implements ImageLoader {
             }
             if (type == DataBuffer.TYPE_USHORT) {
                 return new LoadedImage.Floats(width, height, channels, shorts(raster, width, height, channels), true);
+            }
+            if (type == DataBuffer.TYPE_FLOAT) {
+                float[] samples = raster.getPixels(raster.getMinX(), raster.getMinY(), width, height, (float[]) null);
+                return new LoadedImage.Floats(width, height, channels, samples, false);
             }
         }
         return new LoadedImage.Bytes(width, height, 3, packed(image, width, height));

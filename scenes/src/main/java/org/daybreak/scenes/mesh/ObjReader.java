@@ -3,7 +3,6 @@ package org.daybreak.scenes.mesh;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.Set;
 import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.core.render.NearestName;
@@ -48,10 +47,7 @@ public final class ObjReader {
     private final IntList triangles = new IntList();
 
     /** Position, texture coordinate and normal of each vertex of the mesh, the last two -1 if there is none. */
-    private final IntList vertices = new IntList();
-
-    /** Open hash table from a vertex's three indices to its number, -1 where empty; its size is a power of two. */
-    private int[] table = filled(1 << 10);
+    private final TripleTable vertices = new TripleTable();
 
     private boolean hasTexCoords;
     private boolean hasNormals;
@@ -168,7 +164,7 @@ public final class ObjReader {
         hasTexCoords |= texCoord >= 0;
         hasNormals |= normal >= 0;
         lacksNormals |= normal < 0;
-        return vertex(position, texCoord, normal);
+        return vertices.number(position, texCoord, normal);
     }
 
     /** Reads an index, which counts from 1, or backwards from the last element if it is negative. */
@@ -182,72 +178,25 @@ public final class ObjReader {
         return (int) index;
     }
 
-    private int vertex(int position, int texCoord, int normal) {
-        int mask = table.length - 1;
-        int slot = hash(position, texCoord, normal) & mask;
-        while (table[slot] >= 0) {
-            int i = 3 * table[slot];
-            if (vertices.get(i) == position && vertices.get(i + 1) == texCoord && vertices.get(i + 2) == normal) {
-                return table[slot];
-            }
-            slot = (slot + 1) & mask;
-        }
-        int vertex = vertices.size() / 3;
-        table[slot] = vertex;
-        vertices.add(position);
-        vertices.add(texCoord);
-        vertices.add(normal);
-        if (2 * (vertex + 1) > table.length) {
-            rehash();
-        }
-        return vertex;
-    }
-
-    private void rehash() {
-        int[] larger = filled(2 * table.length);
-        int mask = larger.length - 1;
-        for (int vertex = 0; vertex < vertices.size() / 3; vertex++) {
-            int i = 3 * vertex;
-            int slot = hash(vertices.get(i), vertices.get(i + 1), vertices.get(i + 2)) & mask;
-            while (larger[slot] >= 0) {
-                slot = (slot + 1) & mask;
-            }
-            larger[slot] = vertex;
-        }
-        table = larger;
-    }
-
-    private static int hash(int a, int b, int c) {
-        int h = (a * 0x9e3779b1 + b) * 0x85ebca6b + c;
-        h = (h ^ (h >>> 15)) * 0xc2b2ae35;
-        return h ^ (h >>> 16);
-    }
-
-    private static int[] filled(int size) {
-        int[] t = new int[size];
-        Arrays.fill(t, -1);
-        return t;
-    }
-
     private TriangleMesh mesh() {
-        int count = vertices.size() / 3;
+        int count = vertices.size();
         float[] p = new float[3 * count];
         float @Nullable [] uv = hasTexCoords ? new float[2 * count] : null;
         float @Nullable [] n = hasNormals ? new float[3 * count] : null;
         for (int i = 0; i < count; i++) {
-            copy(positions, vertices.get(3 * i), 3, p, i);
+            copy(positions, vertices.get(i, 0), 3, p, i);
             if (uv != null) {
-                copy(texCoords, vertices.get(3 * i + 1), 2, uv, i);
+                copy(texCoords, vertices.get(i, 1), 2, uv, i);
             }
             if (n != null) {
-                copy(normals, vertices.get(3 * i + 2), 3, n, i);
+                copy(normals, vertices.get(i, 2), 3, n, i);
             }
         }
         int[] t = triangles.toArray();
         if (n != null && lacksNormals) {
             float[] computed = VertexNormals.angleWeighted(p, t);
             for (int i = 0; i < count; i++) {
-                if (vertices.get(3 * i + 2) < 0) {
+                if (vertices.get(i, 2) < 0) {
                     System.arraycopy(computed, 3 * i, n, 3 * i, 3);
                 }
             }
