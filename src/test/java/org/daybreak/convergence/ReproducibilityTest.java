@@ -233,6 +233,8 @@ class ReproducibilityTest {
             case TENT -> ReconstructionFilter.TENT;
             case GAUSSIAN -> ReconstructionFilter.GAUSSIAN;
             case MITCHELL -> ReconstructionFilter.MITCHELL;
+            case BLACKMAN_HARRIS -> ReconstructionFilter.BLACKMAN_HARRIS;
+            case LANCZOS -> ReconstructionFilter.LANCZOS;
         };
     }
 

@@ -8,6 +8,7 @@ import org.daybreak.core.camera.Camera;
 import org.daybreak.core.film.Film;
 import org.daybreak.core.film.FilmSettings;
 import org.daybreak.core.film.FilmTile;
+import org.daybreak.core.film.FilterSampler;
 import org.daybreak.core.film.SplatBuffer;
 import org.daybreak.core.render.NonFiniteLog;
 import org.daybreak.core.render.OrderedWork;
@@ -18,6 +19,7 @@ import org.daybreak.core.render.RenderReport;
 import org.daybreak.core.render.Renderer;
 import org.daybreak.core.sampling.Sampler;
 import org.daybreak.core.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Renders pixel by pixel: asks the antialiasing method for samples in each pixel and a {@link RayProcessor} for their
@@ -225,6 +227,9 @@ public final class PixelwiseRenderer implements Renderer {
         private final int filmWidth;
         private final boolean features;
         private final RaySample sample = new RaySample();
+        private final @Nullable FilterSampler filterSampler;
+        /** Film position and factor of a sample. */
+        private final double[] position = new double[3];
 
         TileWorker(RayProcessor processor, Sampler sampler, Film film, RenderContext context, RenderClock clock) {
             this.processor = processor;
@@ -233,6 +238,7 @@ public final class PixelwiseRenderer implements Renderer {
             seed = context.seed();
             filmWidth = film.settings().width();
             features = film.needsFeatures();
+            filterSampler = film.settings().filterSampling() ? film.filterSampler() : null;
         }
 
         @Override
@@ -261,10 +267,20 @@ public final class PixelwiseRenderer implements Renderer {
             sampler.start((long) y * filmWidth + x, index);
             double filmX = x + sampler.next();
             double filmY = y + sampler.next();
+            FilterSampler filter = filterSampler;
+            if (filter != null) {
+                filter.sample(x, y, filmX - x, filmY - y, position);
+                filmX = position[0];
+                filmY = position[1];
+            }
             boolean finite = processor.trace(filmX, filmY, sampler, sample, unit.splats);
-            finite &= features
-                    ? unit.tile.add(filmX, filmY, sample.radiance, sample.features)
-                    : unit.tile.add(filmX, filmY, sample.radiance);
+            if (filter != null) {
+                finite &= unit.tile.addToPixel(x, y, position[2], sample.radiance, features ? sample.features : null);
+            } else {
+                finite &= features
+                        ? unit.tile.add(filmX, filmY, sample.radiance, sample.features)
+                        : unit.tile.add(filmX, filmY, sample.radiance);
+            }
             if (!finite) {
                 unit.nonFinite.addSample(seed, x, y, index);
             }

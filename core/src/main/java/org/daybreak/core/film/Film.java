@@ -17,6 +17,9 @@ import org.jspecify.annotations.Nullable;
  * to the edges for every filter. Samples are taken in the crop and, so that a crop equals that part of the whole image, in
  * a border around it as wide as the filter reaches, cut off at the edges of the film ({@link #sampleArea()}).
  *
+ * <p>With {@linkplain FilmSettings#filterSampling() filter sampling} a pixel is the plain mean of its own samples, drawn in
+ * proportion to |w| and multiplied by a sign and factor ({@link FilterSampler}); there is no border.
+ *
  * <p><b>Splats.</b> They are kept apart: Σ w·splat, where w is the filter scaled to integrate to 1 over the film, times
  * {@link #setSplatScale a scale} over the number of subpaths that were traced. Near the edges of the film both kinds
  * estimate the same mean: that over the part of the filter that lies on the film.
@@ -35,6 +38,9 @@ public final class Film {
     private double @Nullable [] splatSums;
 
     private final int splatStride;
+    /** True if splats count for the pixel that they lie in only. */
+    private final boolean unitBox;
+
     private double splatScale = 1;
     private long splatPaths;
     private long samples;
@@ -56,8 +62,9 @@ public final class Film {
         this.settings = settings;
         this.layers = Collections.unmodifiableSet(
                 layers.isEmpty() ? EnumSet.noneOf(FilmLayer.class) : EnumSet.copyOf(layers));
-        this.layout = new FilmLayout(settings.filter(), this.layers);
+        this.layout = new FilmLayout(settings, this.layers);
         this.kernel = new FilterKernel(settings.filter());
+        this.unitBox = FilmLayout.isUnitBox(settings.filter());
         this.splatStride = layout.variance ? 7 : 4;
         long pixels = (long) settings.crop().width() * settings.crop().height();
         if (pixels * Math.max(layout.stride, splatStride) > Integer.MAX_VALUE - 8) {
@@ -89,12 +96,20 @@ public final class Film {
     /** The pixels in which samples must be taken: the crop and the border that its filter reaches, within the film. */
     public FilmSettings.Crop sampleArea() {
         FilmSettings.Crop crop = settings.crop();
-        int border = FilterKernel.border(settings.filter());
+        int border = settings.filterSampling() ? 0 : FilterKernel.border(settings.filter());
         int x0 = Math.max(0, crop.x() - border);
         int y0 = Math.max(0, crop.y() - border);
         int x1 = Math.min(settings.width(), crop.x() + crop.width() + border);
         int y1 = Math.min(settings.height(), crop.y() + crop.height() + border);
         return new FilmSettings.Crop(x0, y0, x1 - x0, y1 - y0);
+    }
+
+    /**
+     * Draws where in or near a pixel samples are taken; for films with {@link FilmSettings#filterSampling()}. Not limited to
+     * one worker.
+     */
+    public FilterSampler filterSampler() {
+        return new FilterSampler(settings, kernel);
     }
 
     /** A new tile for this film; each worker or work unit has its own. */
@@ -181,7 +196,7 @@ public final class Film {
                 int at = p * layout.stride;
                 luminance = sampleMean(at, luminanceSum(at, FilmLayout.COLOR));
                 int one = at + layout.squaredWeight;
-                double first = layout.unitBox ? luminanceSum(at, FilmLayout.COLOR) : sums[one + 1];
+                double first = layout.unitWeights ? luminanceSum(at, FilmLayout.COLOR) : sums[one + 1];
                 variance +=
                         sampleVariance(sums[at], sums[one], first, sums[at + FilmLayout.LUMINANCE_SQUARED], luminance);
             }
@@ -287,7 +302,7 @@ public final class Film {
 
     private void addSplat(double[] target, double filmX, double filmY, double r, double g, double b) {
         FilmSettings.Crop crop = settings.crop();
-        if (layout.unitBox) {
+        if (unitBox) {
             int px = (int) Math.floor(filmX) - crop.x();
             int py = (int) Math.floor(filmY) - crop.y();
             if (px >= 0 && py >= 0 && px < crop.width() && py < crop.height()) {
@@ -332,7 +347,7 @@ public final class Film {
 
     /** 1 over the filter's integral over the film, for a pixel of the crop: not 1 near the edges of the film only. */
     private double splatNorm(int x, int y) {
-        if (layout.unitBox) {
+        if (unitBox) {
             return 1;
         }
         double px = settings.crop().x() + x + 0.5;

@@ -6,15 +6,15 @@ import java.util.Set;
  * Where a pixel's sums lie in the arrays of film and tiles. Immutable.
  *
  * <p>With weights w (filter), sample values v and their luminance Y, a pixel keeps Σw, Σw·v and what the variance of
- * Σw·v/Σw needs: Σw², Σw²Y and Σw²Y²; with the variance layer also Σw²v and Σw²v². With the one-pixel box all weights are 1,
+ * Σw·v/Σw needs: Σw², Σw²Y and Σw²Y²; with the variance layer also Σw²v and Σw²v². With the one-pixel box and with filter sampling all weights are 1,
  * and sums that are then equal are kept once.
  */
 final class FilmLayout {
     /** Numbers per pixel. */
     final int stride;
 
-    /** True for the box of one pixel: all weights are 1. */
-    final boolean unitBox;
+    /** True for the box of one pixel and for filter sampling: all weights of samples are 1. */
+    final boolean unitWeights;
 
     /** True if the variance layer is kept. */
     final boolean variance;
@@ -48,11 +48,11 @@ final class FilmLayout {
     /** True if some layer needs the features of samples. */
     final boolean features;
 
-    FilmLayout(ReconstructionFilter filter, Set<FilmLayer> layers) {
-        unitBox = filter.kind() == ReconstructionFilter.Kind.BOX && filter.radius() == 0.5;
+    FilmLayout(FilmSettings settings, Set<FilmLayer> layers) {
+        unitWeights = settings.filterSampling() || isUnitBox(settings.filter());
         variance = layers.contains(FilmLayer.VARIANCE);
         int next = LUMINANCE_SQUARED + 1;
-        if (unitBox) {
+        if (unitWeights) {
             squaredWeight = WEIGHT;
             first = COLOR;
         } else {
@@ -71,5 +71,10 @@ final class FilmLayout {
         next += depth >= 0 ? 2 : 0;
         features = albedo >= 0 || normal >= 0 || depth >= 0;
         stride = next;
+    }
+
+    /** True for the box of one pixel. */
+    static boolean isUnitBox(ReconstructionFilter filter) {
+        return filter.kind() == ReconstructionFilter.Kind.BOX && filter.radius() == 0.5;
     }
 }

@@ -28,7 +28,7 @@ public final class FilmTile {
         this.kernel = kernel;
         this.crop = settings.crop();
         this.radius = settings.filter().radius();
-        this.border = FilterKernel.border(settings.filter());
+        this.border = settings.filterSampling() ? 0 : FilterKernel.border(settings.filter());
         int reach = 2 * border + 2;
         weightsX = new double[reach];
         weightsY = new double[reach];
@@ -74,7 +74,7 @@ public final class FilmTile {
             return false;
         }
         samples++;
-        if (layout.unitBox) {
+        if (layout.unitWeights) {
             int px = (int) filmX - x0;
             int py = (int) filmY - y0;
             if (px >= 0 && py >= 0 && px < width && py < height) {
@@ -107,6 +107,28 @@ public final class FilmTile {
                     addFeatures(at, w, features);
                 }
             }
+        }
+        return true;
+    }
+
+    /**
+     * Adds a sample to a pixel, for films with {@linkplain FilmSettings#filterSampling() filter sampling}.
+     *
+     * @param x column of the pixel, in the rectangle given to {@link #begin}
+     * @param factor what {@link FilterSampler} says about the sample's position
+     * @param value radiance; multiplied by the factor on return
+     * @return false if a value is not finite: the whole sample is then left out, and the caller records its address
+     */
+    public boolean addToPixel(int x, int y, double factor, Spectrum value, @Nullable FilmFeatures features) {
+        if (!value.isFinite() || (features != null && !features.isFinite())) {
+            return false;
+        }
+        samples++;
+        value.scale(factor);
+        int at = ((y - y0) * width + x - x0) * layout.stride;
+        addUnweighted(at, value);
+        if (features != null && features.hit) {
+            addFeatures(at, factor, features);
         }
         return true;
     }

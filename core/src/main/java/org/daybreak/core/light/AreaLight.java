@@ -84,22 +84,28 @@ public final class AreaLight implements Light {
     private double meanLuminance() {
         SurfacePoint point = new SurfacePoint();
         Spectrum value = new Spectrum();
-        int steps = textured ? AVERAGING_STEPS : 1;
+        if (!textured) {
+            if (!(surface.sampleArea(0.5, 0.5, point) > 0)) {
+                return 0;
+            }
+            read(point, value);
+            return value.luminance();
+        }
         double sum = 0;
-        double weight = 0;
-        for (int i = 0; i < steps; i++) {
-            for (int j = 0; j < steps; j++) {
-                double density = surface.sampleArea((i + 0.5) / steps, (j + 0.5) / steps, point);
+        for (int i = 0; i < AVERAGING_STEPS; i++) {
+            for (int j = 0; j < AVERAGING_STEPS; j++) {
+                double density =
+                        surface.sampleArea((i + 0.5) / AVERAGING_STEPS, (j + 0.5) / AVERAGING_STEPS, point);
                 if (density > 0) {
                     read(point, value);
                     sum += value.luminance() / density;
-                    weight += 1 / density;
                 }
             }
         }
+        double area = surface.area();
         // A pattern of bright spots finer than the grid must not count as black.
-        double floor = textured ? 1e-3 * Math.max(0, radiance.maximum()) : 0;
-        return weight > 0 ? Math.max(sum / weight, floor) : 0;
+        double floor = 1e-3 * Math.max(0, radiance.maximum());
+        return area > 0 ? Math.max(sum / (AVERAGING_STEPS * AVERAGING_STEPS * area), floor) : 0;
     }
 
     /** The emitting surface. */

@@ -61,32 +61,40 @@ public final class LightTreeSelection implements LightSelection {
                 total += importance;
                 parts += importance > 0 ? 1 : 0;
             }
-            if (parts == 0) {
-                return false;
-            }
             share = near > 0 ? part(near, total, parts) : 0;
             if (left >= share) {
-                left -= share;
-                boolean found = false;
-                for (int light : distant) {
-                    double importance = importance(light, px, py, pz, nx, ny, nz);
-                    if (importance > 0) {
-                        double probability = part(importance, total, parts);
-                        out.set(light, probability);
-                        found = true;
-                        left -= probability;
-                        if (left < 0) {
-                            break;
-                        }
-                    }
-                }
-                return found;
+                return parts > 0 && chooseDistant(left - share, total, parts, px, py, pz, nx, ny, nz, out);
             }
             left /= share;
         }
         double[] way = out.scratch;
         int leaf = tree.choose(px, py, pz, nx, ny, nz, left, way);
         return leaf >= 0 && chooseInLeaf(leaf, share * way[0], way[1], px, py, pz, nx, ny, nz, out);
+    }
+
+    private boolean chooseDistant(
+            double u,
+            double total,
+            int parts,
+            double px,
+            double py,
+            double pz,
+            double nx,
+            double ny,
+            double nz,
+            LightChoice out) {
+        double left = u;
+        boolean found = false;
+        for (int i = 0; i < distant.length && left >= 0; i++) {
+            double importance = importance(distant[i], px, py, pz, nx, ny, nz);
+            if (importance > 0) {
+                double probability = part(importance, total, parts);
+                out.set(distant[i], probability);
+                found = true;
+                left -= probability;
+            }
+        }
+        return found;
     }
 
     private boolean chooseInLeaf(

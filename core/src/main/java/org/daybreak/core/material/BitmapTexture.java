@@ -31,7 +31,8 @@ public final class BitmapTexture implements Texture {
 
     private final TextureImage image;
     private final Filter filter;
-    private final Wrap wrap;
+    private final Wrap wrapU;
+    private final Wrap wrapV;
     private final double[] uvTransform;
     private final boolean secondUvs;
     private final int width;
@@ -44,25 +45,29 @@ public final class BitmapTexture implements Texture {
 
     /**
      * Creates a texture over the first texture coordinates:
-     * {@link #BitmapTexture(TextureImage, Filter, Wrap, double[], boolean)}.
+     * {@link #BitmapTexture(TextureImage, Filter, Wrap, Wrap, double[], boolean)}.
      */
     public BitmapTexture(TextureImage image, Filter filter, Wrap wrap, double[] uvTransform) {
-        this(image, filter, wrap, uvTransform, false);
+        this(image, filter, wrap, wrap, uvTransform, false);
     }
 
     /**
      * Creates a texture.
      *
+     * @param wrapU what lies to the left and right of the image
+     * @param wrapV what lies above and below it
      * @param uvTransform 2×3 affine matrix, row by row, applied to texture coordinates before the look-up:
      *     u′ = m₀u + m₁v + m₂, v′ = m₃u + m₄v + m₅
      * @param secondUvs true to lay the image over the second texture coordinates
      * @throws IllegalArgumentException if the matrix has not 6 finite elements
      */
-    public BitmapTexture(TextureImage image, Filter filter, Wrap wrap, double[] uvTransform, boolean secondUvs) {
+    public BitmapTexture(
+            TextureImage image, Filter filter, Wrap wrapU, Wrap wrapV, double[] uvTransform, boolean secondUvs) {
         this.secondUvs = secondUvs;
         this.image = image;
         this.filter = filter;
-        this.wrap = wrap;
+        this.wrapU = wrapU;
+        this.wrapV = wrapV;
         this.uvTransform = Checks.requireAffine(uvTransform);
         this.width = image.width();
         this.height = image.height();
@@ -90,10 +95,10 @@ public final class BitmapTexture implements Texture {
         double[] m = uvTransform;
         double u = secondUvs ? point.u2 : point.u;
         double v = secondUvs ? point.v2 : point.v;
-        double x = coordinate(m[0] * u + m[1] * v + m[2], width);
-        double y = coordinate(m[3] * u + m[4] * v + m[5], height);
+        double x = coordinate(m[0] * u + m[1] * v + m[2], width, wrapU);
+        double y = coordinate(m[3] * u + m[4] * v + m[5], height, wrapV);
         if (filter == Filter.NEAREST) {
-            int index = wrapped(Math.floor(y), height) * width + wrapped(Math.floor(x), width);
+            int index = wrapped(Math.floor(y), height, wrapV) * width + wrapped(Math.floor(x), width, wrapU);
             if (channels == 1) {
                 out.set(image.value(index));
             } else {
@@ -105,10 +110,10 @@ public final class BitmapTexture implements Texture {
         double top = Math.floor(y - 0.5);
         double fx = x - 0.5 - left;
         double fy = y - 0.5 - top;
-        int x0 = wrapped(left, width);
-        int x1 = wrapped(left + 1, width);
-        int row0 = wrapped(top, height) * width;
-        int row1 = wrapped(top + 1, height) * width;
+        int x0 = wrapped(left, width, wrapU);
+        int x1 = wrapped(left + 1, width, wrapU);
+        int row0 = wrapped(top, height, wrapV) * width;
+        int row1 = wrapped(top + 1, height, wrapV) * width;
         int i00 = (row0 + x0) * channels;
         int i10 = (row0 + x1) * channels;
         int i01 = (row1 + x0) * channels;
@@ -162,21 +167,23 @@ public final class BitmapTexture implements Texture {
         double pv = secondUvs ? point.v2 : point.v;
         double u = m[0] * pu + m[1] * pv + m[2];
         double v = m[3] * pu + m[4] * pv + m[5];
-        double x = coordinate(u, width);
-        double y = coordinate(v, height);
+        double x = coordinate(u, width, wrapU);
+        double y = coordinate(v, height, wrapV);
         if (filter == Filter.NEAREST) {
             return derivative
                     ? 0
-                    : value(wrapped(Math.floor(y), height) * width + wrapped(Math.floor(x), width), channel);
+                    : value(
+                            wrapped(Math.floor(y), height, wrapV) * width + wrapped(Math.floor(x), width, wrapU),
+                            channel);
         }
         double left = Math.floor(x - 0.5);
         double top = Math.floor(y - 0.5);
         double fx = x - 0.5 - left;
         double fy = y - 0.5 - top;
-        int x0 = wrapped(left, width);
-        int x1 = wrapped(left + 1, width);
-        int row0 = wrapped(top, height) * width;
-        int row1 = wrapped(top + 1, height) * width;
+        int x0 = wrapped(left, width, wrapU);
+        int x1 = wrapped(left + 1, width, wrapU);
+        int row0 = wrapped(top, height, wrapV) * width;
+        int row1 = wrapped(top + 1, height, wrapV) * width;
         double v00 = value(row0 + x0, channel);
         double v10 = value(row0 + x1, channel);
         double v01 = value(row1 + x0, channel);
@@ -218,7 +225,7 @@ public final class BitmapTexture implements Texture {
     }
 
     /** Position in pixels, brought to within one pixel of the first period so that no precision is lost later. */
-    private double coordinate(double u, int size) {
+    private static double coordinate(double u, int size, Wrap wrap) {
         if (!Double.isFinite(u)) {
             return 0;
         }
@@ -230,7 +237,7 @@ public final class BitmapTexture implements Texture {
     }
 
     /** Column or row of the image for one within a pixel of the first period. */
-    private int wrapped(double cell, int size) {
+    private static int wrapped(double cell, int size, Wrap wrap) {
         int i = (int) cell;
         return switch (wrap) {
             case REPEAT -> i < 0 ? i + size : (i >= size ? i - size : i);

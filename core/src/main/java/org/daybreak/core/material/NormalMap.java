@@ -11,25 +11,46 @@ public final class NormalMap extends PerturbedBsdf {
     private static final double LEAST_Z = 1e-3;
 
     private final Texture normals;
+    private final double scale;
+    private final boolean greenAgainstV;
 
     /**
-     * Creates a normal map over a material.
+     * Creates a normal map over a material, whose green component counts along t.
      *
      * @param shadowed whether tilted facets shadow each other, which softens the edge of darkness
      */
     public NormalMap(Texture normals, Bsdf nested, boolean shadowed) {
+        this(normals, 1, false, nested, shadowed);
+    }
+
+    /**
+     * Creates a normal map over a material.
+     *
+     * @param scale factor on the components along s and t
+     * @param greenAgainstV whether the green component counts along −∂p/∂v, which is ±t, as where v runs down the
+     *     image and mirrored parts share a map (glTF); otherwise it counts along t
+     * @param shadowed whether tilted facets shadow each other, which softens the edge of darkness
+     * @throws IllegalArgumentException if the factor is not finite
+     */
+    public NormalMap(Texture normals, double scale, boolean greenAgainstV, Bsdf nested, boolean shadowed) {
         super(nested, shadowed);
+        if (!Double.isFinite(scale)) {
+            throw new IllegalArgumentException("the scale of a normal map must be finite but is " + scale);
+        }
         this.normals = normals;
+        this.scale = scale;
+        this.greenAgainstV = greenAgainstV;
     }
 
     @Override
     double slopeS(SurfacePoint point) {
-        return (1 - 2 * normals.component(point, 0)) / z(point);
+        return scale * (1 - 2 * normals.component(point, 0)) / z(point);
     }
 
     @Override
     double slopeT(SurfacePoint point) {
-        return (1 - 2 * normals.component(point, 1)) / z(point);
+        double slope = scale * (1 - 2 * normals.component(point, 1)) / z(point);
+        return greenAgainstV && point.vAlongT > 0 ? -slope : slope;
     }
 
     private double z(SurfacePoint point) {

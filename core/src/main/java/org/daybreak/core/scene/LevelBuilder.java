@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.daybreak.core.accel.Quadric;
+import org.daybreak.core.geometry.Cone;
 import org.daybreak.core.geometry.Cube;
 import org.daybreak.core.geometry.CubeMesh;
 import org.daybreak.core.geometry.Cylinder;
@@ -56,6 +57,11 @@ final class LevelBuilder {
             addQuadric(index, Quadric.Kind.SPHERE, toLevel.multiply(ShapeFrames.of(sphere)), flipNormals, needs);
         } else if (shape instanceof Disk) {
             addQuadric(index, Quadric.Kind.DISK, toLevel, flipNormals, needs);
+        } else if (shape instanceof Cone cone) {
+            Transform map = toLevel.multiply(ShapeFrames.of(cone));
+            quadrics.add(new Quadric(
+                    Quadric.Kind.CONE, cone.taper(), map.rows(), map.inverse().rows()));
+            quadricShapes.add(new LevelGeometry.QuadricShape(index, flipNormals, needs, cone.widens()));
         } else if (shape instanceof Cylinder cylinder) {
             addQuadric(index, Quadric.Kind.CYLINDER, toLevel.multiply(ShapeFrames.of(cylinder)), flipNormals, needs);
         }
@@ -101,7 +107,7 @@ final class LevelBuilder {
 
     private void addQuadric(int index, Quadric.Kind kind, Transform toLevel, boolean flipNormals, ShadingNeeds needs) {
         quadrics.add(new Quadric(kind, toLevel.rows(), toLevel.inverse().rows()));
-        quadricShapes.add(new LevelGeometry.QuadricShape(index, flipNormals, needs));
+        quadricShapes.add(new LevelGeometry.QuadricShape(index, flipNormals, needs, false));
     }
 
     private void addMesh(int index, TriangleMesh mesh, Transform toLevel, boolean flipNormals, ShadingNeeds needs) {

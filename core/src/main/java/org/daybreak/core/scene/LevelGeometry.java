@@ -31,8 +31,9 @@ final class LevelGeometry {
      * @param shape the shape's number in the scene
      * @param flipped true if its front is the inside
      * @param needs what its points must offer
+     * @param reversed true if texture coordinates run against the canonical cone's
      */
-    record QuadricShape(int shape, boolean flipped, ShadingNeeds needs) {}
+    record QuadricShape(int shape, boolean flipped, ShadingNeeds needs, boolean reversed) {}
 
     /**
      * Takes over all arrays.
@@ -170,7 +171,7 @@ final class LevelGeometry {
         }
         setFrame(hit, hit.gx, hit.gy, hit.gz);
         if (shape.needs().tangents()) {
-            Tangents.ofQuadric(quadrics[index], refined, instance, hit);
+            Tangents.ofQuadric(quadrics[index], shape.reversed(), refined, instance, hit);
         }
         if (!shape.needs().textured()) {
             hit.u = 0;
@@ -192,6 +193,10 @@ final class LevelGeometry {
             case CYLINDER -> {
                 hit.u = turn;
                 hit.v = refined.objectZ;
+            }
+            case CONE -> {
+                hit.u = shape.reversed() && turn > 0 ? 1 - turn : turn;
+                hit.v = shape.reversed() ? 1 - refined.objectZ : refined.objectZ;
             }
         }
         hit.setNoAttributes();

@@ -6,8 +6,11 @@ import org.daybreak.core.light.ConstantEnvironment;
 import org.daybreak.core.light.DirectionalLight;
 import org.daybreak.core.light.ImageEnvironment;
 import org.daybreak.core.light.Light;
+import org.daybreak.core.light.PhotometricLight;
 import org.daybreak.core.light.PointLight;
+import org.daybreak.core.light.SkyLight;
 import org.daybreak.core.light.SpotLight;
+import org.daybreak.core.light.SunLight;
 import org.daybreak.core.math.Bounds;
 import org.daybreak.core.math.Transform;
 
@@ -27,7 +30,11 @@ final class LightCompiler {
             return new PointLight(p[0], p[1], p[2], spectrum(point.intensity()));
         }
         if (source instanceof LightSource.Spot spot) {
-            return new SpotLight(toWorld, spectrum(spot.intensity()), spot.cutoffDegrees(), spot.beamDegrees());
+            return new SpotLight(
+                    toWorld, spectrum(spot.intensity()), spot.cutoffDegrees(), spot.beamDegrees(), spot.slide());
+        }
+        if (source instanceof LightSource.Photometric lamp) {
+            return new PhotometricLight(lamp.profile(), spectrum(lamp.color()), toWorld);
         }
         double x = scene.isEmpty() ? 0 : scene.centerX();
         double y = scene.isEmpty() ? 0 : scene.centerY();
@@ -43,6 +50,12 @@ final class LightCompiler {
         }
         if (source instanceof LightSource.ImageEnvironment image) {
             return new ImageEnvironment(image.image(), image.scale(), toWorld, x, y, z, radius);
+        }
+        if (source instanceof LightSource.Sky sky) {
+            return new SkyLight(sky.settings(), sky.scale(), toWorld, x, y, z, radius);
+        }
+        if (source instanceof LightSource.Sun sun) {
+            return new SunLight(sun.settings(), sun.apertureDegrees(), sun.scale(), toWorld, x, y, z, radius);
         }
         throw new AssertionError(source);
     }

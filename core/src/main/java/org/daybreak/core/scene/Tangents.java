@@ -43,7 +43,8 @@ final class Tangents {
     }
 
     /** Aligns the frame of a point on a quadric, from its place in the quadric's own space. */
-    static void ofQuadric(Quadric q, HitRefinement refined, @Nullable Instance instance, SurfacePoint hit) {
+    static void ofQuadric(
+            Quadric q, boolean reversed, HitRefinement refined, @Nullable Instance instance, SurfacePoint hit) {
         double x = refined.objectX;
         double y = refined.objectY;
         double z = refined.objectZ;
@@ -66,6 +67,15 @@ final class Tangents {
                 uy = y / r;
             }
             case CYLINDER -> vz = 1;
+            case CONE -> {
+                // Along the ruling; where the cone is reversed, both coordinates run the other way.
+                double sign = reversed ? -1 : 1;
+                ux *= sign;
+                uy *= sign;
+                vx = -sign * q.taper() * x / r;
+                vy = -sign * q.taper() * y / r;
+                vz = sign;
+            }
         }
         align(
                 q.objectToWorld(0) * ux + q.objectToWorld(1) * uy,

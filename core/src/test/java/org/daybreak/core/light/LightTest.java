@@ -293,6 +293,8 @@ class LightTest {
         List<LightCases.Case> cases = cases();
         LightSelection selection = LightSelections.forLights(
                 cases.stream().limit(30).map(LightCases.Case::light).toList());
+        LightSelection tree = new LightTreeSelection(
+                cases.stream().map(LightCases.Case::light).toList());
         RandomStream random = new RandomStream(5, StreamDomain.SELF_CHECK, 0, 0);
         long before = 0;
         int rounds = 200;
@@ -312,6 +314,9 @@ class LightTest {
                 }
                 if (selection.choose(px, 0.5, -1, 0, 1, 0, random.nextDouble(), choice)) {
                     selection.probability(choice.light, px, 0.5, -1, 0, 1, 0);
+                }
+                if (tree.choose(px, 0.5, -1, 0, 1, 0, random.nextDouble(), choice)) {
+                    tree.probability(choice.light, px, 0.5, -1, 0, 1, 0);
                 }
                 selection.emissionProbability(selection.chooseForEmission(random.nextDouble()));
             }

@@ -256,6 +256,8 @@ final class BsdfBuilder {
                 ? null
                 : new NormalMap(
                         textures.texture(p, "normalmap"),
+                        p.number("scale"),
+                        p.text("green").equals("against_v"),
                         bsdf(nested.object(), nested.location()),
                         p.truth("use_shadowing_function"));
     }

@@ -114,6 +114,13 @@ final class BsdfPlugins {
                         .asRequired(),
                 flip,
                 shadowing,
+                value("scale", ValueType.FLOAT, "1", "Factor on the components along the surface; not in Mitsuba."),
+                choice(
+                        "green",
+                        "along_t",
+                        List.of("along_t", "against_v"),
+                        "Direction of the green component: across u to the left, or that in which v falls."
+                                + " Not in Mitsuba."),
                 objects(ObjectKind.BSDF, 1, 1, "The material.")));
         list.add(plugin(
                 ObjectKind.BSDF,

@@ -39,6 +39,11 @@ final class FilmPlugins {
                 optional("sample_border", ValueType.BOOLEAN, Plugins.NO_EFFECT),
                 optional("compensate", ValueType.BOOLEAN, Plugins.NO_EFFECT),
                 optional("banner", ValueType.BOOLEAN, Plugins.NO_EFFECT),
+                value(
+                        "filter_sampling",
+                        ValueType.BOOLEAN,
+                        "false",
+                        "Draws samples in proportion to the filter, each for its own pixel; not in Mitsuba."),
                 objects(ObjectKind.RFILTER, 0, 1, "Reconstruction filter; gaussian if there is none.")));
         list.add(plugin(ObjectKind.RFILTER, "box", "Every sample belongs to the pixel it lies in."));
         list.add(plugin(
@@ -59,5 +64,16 @@ final class FilmPlugins {
                 value("B", ValueType.FLOAT, "0.3333333333333333", "First parameter."),
                 value("C", ValueType.FLOAT, "0.3333333333333333", "Second parameter.")));
         list.add(plugin(ObjectKind.RFILTER, "catmullrom", "Catmull-Rom cubic: mitchell with B = 0, C = 1/2."));
+        list.add(plugin(
+                ObjectKind.RFILTER,
+                "lanczos",
+                "Windowed sinc.",
+                value("lobes", ValueType.INTEGER, "3", "Number of lobes, the radius in pixels.")
+                        .between(1, 16)));
+        list.add(plugin(
+                ObjectKind.RFILTER,
+                "blackmanharris",
+                "Window of Blackman and Harris; not in Mitsuba.",
+                value("radius", ValueType.FLOAT, "1.5", "Half-width in pixels.").between(0.5, 16)));
     }
 }

@@ -44,13 +44,17 @@ public final class Plugins {
             map.computeIfAbsent(p.kind(), k -> new LinkedHashMap<>()).put(p.type(), p);
         }
         map.computeIfAbsent(ObjectKind.SCENE, k -> new LinkedHashMap<>()).put(ModelReader.MODEL, model());
+        PluginDefinition mesh = ShapePlugins.meshInMemory();
+        map.computeIfAbsent(mesh.kind(), k -> new LinkedHashMap<>()).put(mesh.type(), mesh);
         return map;
     }
 
+    /** A type with its properties. */
     static PluginDefinition plugin(ObjectKind kind, String type, String doc, PropertyDefinition... properties) {
         return new PluginDefinition(kind, type, doc, Arrays.asList(properties));
     }
 
+    /** Own properties followed by shared ones. */
     static PropertyDefinition[] join(List<PropertyDefinition> shared, PropertyDefinition... own) {
         List<PropertyDefinition> list = new ArrayList<>(Arrays.asList(own));
         list.addAll(shared);
@@ -84,13 +88,15 @@ public final class Plugins {
                 objects(ObjectKind.TEXTURE, 0, MANY, "Textures to refer to."));
     }
 
-    /** The root of a model's description; files do not name it. */
+    /** The root of a model's description; scene files do not name it. */
     private static PluginDefinition model() {
         return plugin(
                 ObjectKind.SCENE,
                 ModelReader.MODEL,
-                "A model without camera and light.",
+                "A model that may lack camera and light.",
+                objects(ObjectKind.SENSOR, 0, MANY, "The cameras, of which the first is used."),
                 objects(ObjectKind.SHAPE, 0, MANY, "Geometry."),
+                objects(ObjectKind.EMITTER, 0, MANY, "Lights that are not on a shape."),
                 objects(ObjectKind.BSDF, 0, MANY, "Materials to refer to."));
     }
 

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import javax.vecmath.Matrix4d;
 import javax.vecmath.Point3d;
+import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.core.render.NearestName;
 import org.daybreak.scenes.description.ObjectDescription;
 import org.daybreak.scenes.description.ObjectKind;
@@ -201,7 +202,10 @@ final class Properties {
             case BOOLEAN -> value instanceof Value.Switch ? null : wrongType(value);
             case STRING -> value instanceof Value.Text ? null : wrongType(value);
             case FILE ->
-                value instanceof Value.Text t ? (t.value().isBlank() ? " but is empty" : null) : wrongType(value);
+                value instanceof Value.Text t
+                        ? (t.value().isBlank() ? " but is empty" : null)
+                        : value instanceof Value.Content ? null : wrongType(value);
+            case MESH -> value instanceof Value.Mesh ? null : wrongType(value);
             case CHOICE -> {
                 if (!(value instanceof Value.Text text)) {
                     yield wrongType(value);
@@ -336,6 +340,19 @@ final class Properties {
         PropertyDefinition definition = definition(name);
         boolean choice = definition != null && definition.type() == ValueType.CHOICE;
         return choice ? text.value().toLowerCase(Locale.ROOT) : text.value();
+    }
+
+    /** A file that the scene's file contains, or null if the property is not given or names a file. */
+    Value.@Nullable Content content(String name) {
+        PropertyDescription property = values.get(name);
+        return property != null && property.value() instanceof Value.Content content ? content : null;
+    }
+
+    /** A mesh in memory, or null if it is not given. */
+    @Nullable
+    TriangleMesh mesh(String name) {
+        PropertyDescription property = values.get(name);
+        return property != null && property.value() instanceof Value.Mesh mesh ? mesh.mesh() : null;
     }
 
     /** A point, or its default. */

@@ -51,7 +51,7 @@ public record PropertyDefinition(
                 name, type, null, false, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, List.of(), null, doc);
     }
 
-    static PropertyDefinition choice(String name, String defaultValue, List<String> choices, String doc) {
+    static PropertyDefinition choice(String name, @Nullable String defaultValue, List<String> choices, String doc) {
         return new PropertyDefinition(name, ValueType.CHOICE, defaultValue, false, 0, 0, choices, null, doc);
     }
 
@@ -81,6 +81,7 @@ public record PropertyDefinition(
             case STRING -> "a string";
             case CHOICE -> "one of " + String.join(", ", choices);
             case FILE -> "a file name";
+            case MESH -> "a mesh";
             case POINT -> "a point";
             case REFRACTIVE_INDEX -> "a float greater than 0 or the name of a substance";
             case COLOR -> "an rgb or a float";

@@ -16,7 +16,22 @@ final class SensorPlugins {
 
     /** Adds them to the table. */
     static void addTo(List<PluginDefinition> list) {
-        List<PropertyDefinition> common = List.of(
+        List<PropertyDefinition> all = List.of(
+                value("near_clip", ValueType.FLOAT, "0.01", "Nothing is clipped; other values give a warning.")
+                        .positive(),
+                value("far_clip", ValueType.FLOAT, "10000", "Nothing is clipped; default focus distance.")
+                        .positive(),
+                value("shutter_open", ValueType.FLOAT, "0", Plugins.NO_EFFECT),
+                value("shutter_close", ValueType.FLOAT, "0", Plugins.NO_EFFECT),
+                objects(ObjectKind.FILM, 0, 1, "The image."),
+                objects(ObjectKind.SAMPLER, 0, 1, "Samples per pixel."));
+        PropertyDefinition rigid = optional(
+                "to_world", ValueType.TRANSFORM, "Camera to world, without scaling; looks along +z, +y is up.");
+        PropertyDefinition pixelAspect = value(
+                        "pixel_aspect", ValueType.FLOAT, "1", "Width of a pixel over its height; not in Mitsuba.")
+                .between(1e-3, 1e3);
+        List<PropertyDefinition> common = List.of(join(
+                all,
                 optional("fov", ValueType.FLOAT, "Opening angle in degrees; excludes focal_length.")
                         .between(1e-4, 179.9999),
                 choice(
@@ -29,21 +44,21 @@ final class SensorPlugins {
                         ValueType.STRING,
                         "50mm",
                         "Focal length for 35 mm film: fov across the diagonal of 36x24 mm."),
-                optional(
-                        "to_world", ValueType.TRANSFORM, "Camera to world, without scaling; looks along +z, +y is up."),
-                value("near_clip", ValueType.FLOAT, "0.01", "Nothing is clipped; other values give a warning.")
-                        .positive(),
-                value("far_clip", ValueType.FLOAT, "10000", "Nothing is clipped; default focus distance.")
-                        .positive(),
-                value("principal_point_offset_x", ValueType.FLOAT, "0", "Must be 0.")
-                        .between(0, 0),
-                value("principal_point_offset_y", ValueType.FLOAT, "0", "Must be 0.")
-                        .between(0, 0),
-                value("shutter_open", ValueType.FLOAT, "0", Plugins.NO_EFFECT),
-                value("shutter_close", ValueType.FLOAT, "0", Plugins.NO_EFFECT),
-                objects(ObjectKind.FILM, 0, 1, "The image."),
-                objects(ObjectKind.SAMPLER, 0, 1, "Samples per pixel."));
-        list.add(plugin(ObjectKind.SENSOR, "perspective", "Pinhole camera.", join(common)));
+                rigid,
+                value(
+                                "principal_point_offset_x",
+                                ValueType.FLOAT,
+                                "0",
+                                "Shift of the film to the right against the axis, in film widths.")
+                        .between(-100, 100),
+                value("principal_point_offset_y", ValueType.FLOAT, "0", "Shift of the film downwards, in film heights.")
+                        .between(-100, 100),
+                pixelAspect));
+        list.add(plugin(
+                ObjectKind.SENSOR,
+                "perspective",
+                "Pinhole camera.",
+                join(common, optional("focus_distance", ValueType.FLOAT, Plugins.NO_EFFECT))));
         list.add(plugin(
                 ObjectKind.SENSOR,
                 "thinlens",
@@ -58,5 +73,23 @@ final class SensorPlugins {
                                 .asRequired(),
                         optional("focus_distance", ValueType.FLOAT, "Distance of what is sharp; default far_clip.")
                                 .positive())));
+        list.add(plugin(
+                ObjectKind.SENSOR,
+                "orthographic",
+                "Parallel rays; the image is 2 units of camera space wide.",
+                join(
+                        all,
+                        optional(
+                                "to_world",
+                                ValueType.TRANSFORM,
+                                "Camera to world; its scale sets the size of the view."),
+                        pixelAspect)));
+        for (String type : List.of("spherical", "environment")) {
+            list.add(plugin(
+                    ObjectKind.SENSOR,
+                    type,
+                    "All directions as an equirectangular panorama, +y up, as envmap takes it.",
+                    join(all, rigid)));
+        }
     }
 }

@@ -21,17 +21,22 @@ final class TexturePlugins {
         list.add(plugin(
                 ObjectKind.TEXTURE,
                 "bitmap",
-                "Image file; its first row is at v = 0. Alpha is dropped.",
+                "Image file; its first row is at v = 0. Alpha is dropped unless it is the channel.",
                 optional("filename", ValueType.FILE, "The file.").asRequired(),
                 choice("filter_type", "bilinear", List.of("bilinear", "nearest"), "Interpolation."),
                 choice("wrap_mode", "repeat", List.of("repeat", "mirror", "clamp"), "What lies outside the image."),
+                choice(
+                        "wrap_mode_v",
+                        null,
+                        List.of("repeat", "mirror", "clamp"),
+                        "What lies above and below it; default wrap_mode. Not in Mitsuba."),
                 value("raw", ValueType.BOOLEAN, "false", "Takes values of 8 and 16 bits as linear instead of sRGB."),
                 toUv,
                 choice(
                         "channel",
                         "all",
-                        List.of("all", "r", "g", "b", "a"),
-                        "Takes one channel as a grey image; Mitsuba has no such property."),
+                        List.of("all", "r", "g", "b", "a", "opacity"),
+                        "Takes one channel as a grey image; opacity is a, or 1 where there is none. Not in Mitsuba."),
                 value("uv_set", ValueType.INTEGER, "0", "1 for the second texture coordinates; not in Mitsuba.")
                         .between(0, 1),
                 optional("format", ValueType.STRING, NO_EFFECT),
@@ -55,5 +60,17 @@ final class TexturePlugins {
                 "A texture times a colour; not in Mitsuba.",
                 value("scale", ValueType.EMISSION, "1", "The factor."),
                 objects(ObjectKind.TEXTURE, 1, 1, "The texture.")));
+        list.add(plugin(
+                ObjectKind.TEXTURE,
+                "product",
+                "Product of two textures, component by component; not in Mitsuba.",
+                value("first", ValueType.TEXTURED_EMISSION, "1", "The one factor."),
+                value("second", ValueType.TEXTURED_EMISSION, "1", "The other factor.")));
+        list.add(plugin(
+                ObjectKind.TEXTURE,
+                "threshold",
+                "1 where a texture reaches a cutoff, 0 elsewhere: for cut-out shapes; not in Mitsuba.",
+                value("value", ValueType.TEXTURED_EMISSION, "1", "The texture; of colours the luminance counts."),
+                value("cutoff", ValueType.FLOAT, "0.5", "Smallest value that gives 1.")));
     }
 }

@@ -12,8 +12,10 @@ public enum ValueType {
     STRING,
     /** One word out of several. */
     CHOICE,
-    /** A file name, relative to the file it stands in. */
+    /** A file name, relative to the file it stands in, or a file contained in it. */
     FILE,
+    /** A mesh in memory. */
+    MESH,
     /** A point. */
     POINT,
     /** A refractive index or the name of a substance. */
