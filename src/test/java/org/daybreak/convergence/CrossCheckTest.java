@@ -27,8 +27,12 @@ class CrossCheckTest {
     private static final int REFERENCE_FACTOR = 32;
 
     /** Where one of the two has a large variance and takes more samples. */
-    private static final Set<String> DIFFICULT =
-            Set.of("light in glass", "inside of a glass sphere", "image environment");
+    private static final Set<String> DIFFICULT = Set.of(
+            "light in glass",
+            "inside of a glass sphere",
+            "image environment",
+            "orthographic camera",
+            "environment camera");
 
     static Set<String> scenes() {
         return CrossScenes.all().keySet();

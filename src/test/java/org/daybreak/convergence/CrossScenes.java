@@ -4,7 +4,9 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.SplittableRandom;
 import javax.vecmath.Color3f;
+import javax.vecmath.Matrix4d;
 import javax.vecmath.Point3d;
+import javax.vecmath.Vector3d;
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.film.FilmSettings;
 import org.daybreak.core.film.ReconstructionFilter;
@@ -15,7 +17,9 @@ import org.daybreak.core.geometry.Rectangle;
 import org.daybreak.core.geometry.Shape;
 import org.daybreak.core.geometry.Sphere;
 import org.daybreak.core.geometry.TriangleMesh;
+import org.daybreak.core.light.PhotometricProfile;
 import org.daybreak.core.light.RadianceMap;
+import org.daybreak.core.light.SkySettings;
 import org.daybreak.core.material.Bsdf;
 import org.daybreak.core.material.CheckerboardTexture;
 import org.daybreak.core.material.ConstantTexture;
@@ -32,6 +36,7 @@ import org.daybreak.core.scene.Group;
 import org.daybreak.core.scene.Instance;
 import org.daybreak.core.scene.LightNode;
 import org.daybreak.core.scene.LightSource;
+import org.daybreak.core.scene.Node;
 import org.daybreak.core.scene.SceneGraph;
 import org.daybreak.core.scene.ShapeNode;
 
@@ -89,6 +94,9 @@ final class CrossScenes {
                 new CrossScenes(16).garden(new LightSource.ConstantEnvironment(new Color3f(0.8f, 1, 1.3f))).graph);
         scenes.put("image environment", new CrossScenes(17).garden(sky()).graph);
         scenes.put(
+                "directional",
+                new CrossScenes(26).garden(new LightSource.Directional(new Color3f(2, 1.5f, 1)), 210).graph);
+        scenes.put(
                 "all kinds",
                 new CrossScenes(18)
                         .room()
@@ -130,7 +138,90 @@ final class CrossScenes {
         scenes.put(
                 "thin lens",
                 new CrossScenes(25).room().emitter(new Disk(), ceiling, false).thinLens().graph);
+        scenes.put(
+                "orthographic camera",
+                new CrossScenes(27)
+                        .garden(sky())
+                        .camera(CameraSettings.orthographic(Transform.lookAt(0.2, 0.4, 2.2, 0, -0.6, 0, 0.05, 1, 0.1)
+                                .multiply(Transform.scale(1.5, 1.5, 1))
+                                .toMatrix4d()))
+                        .graph);
+        scenes.put(
+                "environment camera",
+                new CrossScenes(28)
+                        .garden(sky())
+                        .camera(CameraSettings.environment(Transform.lookAt(0.1, -0.2, 0.9, 0, -0.6, 0, 0.05, 1, 0.1)
+                                .toMatrix4d()))
+                        .graph);
+        SkySettings evening = new SkySettings(
+                SkySettings.Kind.HOSEK_WILKIE, 4, new Color3f(0.2f, 0.2f, 0.2f), new Vector3d(0.5, 0.4, 0.5));
+        Matrix4d upright = Transform.rotate(1, 0, 0, -90).toMatrix4d();
+        scenes.put("sky", new CrossScenes(30).sky(new LightSource.Sky(evening, 10), upright).graph);
+        scenes.put("sun", new CrossScenes(31).sky(new LightSource.Sun(evening, 8, 0.02), upright).graph);
+        scenes.put("luminaire", new CrossScenes(32).room().lamp(luminaire()).graph);
+        scenes.put(
+                "slide",
+                new CrossScenes(33)
+                        .room()
+                        .lamp(new LightSource.Spot(
+                                new Color3f(2, 2, 2),
+                                60,
+                                50,
+                                new CheckerboardTexture(
+                                        new ConstantTexture(1, 0.2, 0.1),
+                                        new ConstantTexture(0.1, 0.5, 1),
+                                        new double[] {2, 0, 0, 0, 2, 0})))
+                        .graph);
+        Matrix4d askew = Transform.lookAt(0.1, 0.15, 0.95, -0.05, -0.15, -0.6, 0.05, 1, 0.1)
+                .toMatrix4d();
+        scenes.put(
+                "shifted film of flat pixels",
+                new CrossScenes(29)
+                        .room()
+                        .emitter(new Disk(), ceiling, false)
+                        .camera(new CameraSettings(
+                                askew,
+                                CameraSettings.Projection.PERSPECTIVE,
+                                75,
+                                CameraSettings.FovAxis.Y,
+                                0,
+                                1,
+                                0.2,
+                                -0.1,
+                                1.5))
+                        .graph);
         return scenes;
+    }
+
+    private CrossScenes sky(LightSource sky, Matrix4d toWorld) {
+        garden(sky);
+        Node light = graph.root().children().stream()
+                .filter(LightNode.class::isInstance)
+                .findFirst()
+                .orElseThrow();
+        light.setTransform(toWorld);
+        return this;
+    }
+
+    /** A lamp that hangs in the room and shines down. */
+    private CrossScenes lamp(LightSource lamp) {
+        graph.root()
+                .add(new LightNode(lamp))
+                .setTransform(Transform.lookAt(-0.2, 0.7, 0.3, 0, -0.6, -0.2, 0, 1, 0.1)
+                        .toMatrix4d());
+        return this;
+    }
+
+    private static LightSource luminaire() {
+        double[] candela = {800, 900, 300, 50, 0, 800, 600, 400, 50, 0, 800, 500, 100, 20, 0};
+        return new LightSource.Photometric(
+                new PhotometricProfile(new double[] {0, 30, 60, 80, 90}, new double[] {0, 45, 90}, candela),
+                new Color3f(1, 0.9f, 0.8f));
+    }
+
+    private CrossScenes camera(CameraSettings camera) {
+        graph.setCamera(camera);
+        return this;
     }
 
     /** A closed box with two things in it, seen from within. */
@@ -168,6 +259,10 @@ final class CrossScenes {
 
     /** Things on a large disk under the open sky. */
     private CrossScenes garden(LightSource sky) {
+        return garden(sky, 77);
+    }
+
+    private CrossScenes garden(LightSource sky, double degrees) {
         add(
                 new Disk(),
                 Transform.translate(0, -1, 0)
@@ -178,7 +273,7 @@ final class CrossScenes {
         add(globe(10, 6), Transform.translate(-0.4, -0.6, 0).multiply(Transform.scale(0.3, 0.4, 0.3)), diffuse());
         graph.root()
                 .add(new LightNode(sky))
-                .setTransform(Transform.rotate(0.2, 1, 0.1, 77).toMatrix4d());
+                .setTransform(Transform.rotate(0.2, 1, 0.1, degrees).toMatrix4d());
         look(0.2, -0.2, 2.2, 0, -0.7, 0, 60, 0);
         return this;
     }

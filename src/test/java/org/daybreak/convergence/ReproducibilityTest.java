@@ -17,6 +17,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicReference;
 import org.daybreak.core.film.Film;
 import org.daybreak.core.film.FilmImage;
 import org.daybreak.core.film.FilmLayer;
@@ -25,11 +26,13 @@ import org.daybreak.core.film.ReconstructionFilter;
 import org.daybreak.core.render.Antialiasing;
 import org.daybreak.core.render.AntialiasingFactory;
 import org.daybreak.core.render.CancellationToken;
+import org.daybreak.core.render.CheckpointSink;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.render.RenderBudget;
 import org.daybreak.core.render.RenderContext;
 import org.daybreak.core.render.RenderListener;
 import org.daybreak.core.render.RenderReport;
+import org.daybreak.core.render.RenderState;
 import org.daybreak.core.render.Renderer;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.testing.Grids;
@@ -65,6 +68,8 @@ class ReproducibilityTest {
         "path, GAUSSIAN, stratified",
         "path, TENT, grid",
         "path, BOX, none",
+        "path, BOX, adaptive",
+        "path, MITCHELL, adaptive",
         "raytracer, MITCHELL, sobol",
         "raytracer, BOX, sobol",
         "light, BOX, sobol",
@@ -125,6 +130,76 @@ class ReproducibilityTest {
             });
             assertSame(alone1, first.get(60, TimeUnit.SECONDS), "first");
             assertSame(alone2, second.get(60, TimeUnit.SECONDS), "second");
+            assertTrue(endless.get(60, TimeUnit.SECONDS).cancelled());
+        } finally {
+            executor.shutdownNow();
+        }
+    }
+
+    /** A render goes on from a checkpoint while another one begins and a third one is cancelled. */
+    @ParameterizedTest
+    @ValueSource(strings = {"path", "raytracer", "light"})
+    void resumedRendersAreNotDisturbed(String rendererId)
+            throws InterruptedException, ExecutionException, TimeoutException {
+        Renderer renderer = Rendering.renderer(rendererId);
+        Setup setup = new Setup(ReconstructionFilter.MITCHELL, antialiasing("sobol"), 32);
+        FilmImage whole = setup.render(renderer, SEED, 1);
+        FilmImage other = setup.render(renderer, SEED + 1, 1);
+        CancellationToken token = new CancellationToken();
+        AtomicReference<RenderState> last = new AtomicReference<>();
+        RenderListener cancelling = new RenderListener() {
+            @Override
+            public void passFinished(Film film) {
+                token.cancel();
+            }
+        };
+        CheckpointSink sink = new CheckpointSink() {
+            @Override
+            public double intervalSeconds() {
+                return Double.POSITIVE_INFINITY;
+            }
+
+            @Override
+            public void save(RenderState state) {
+                last.set(state);
+            }
+        };
+        RenderContext context =
+                new RenderContext(SEED, 2, RenderBudget.samples(32), antialiasing("sobol"), token, cancelling);
+        renderer.render(scene, scene.camera(), setup.film(), context.withCheckpoints(sink));
+        RenderState state = last.get();
+        CancellationToken third = new CancellationToken();
+        ExecutorService executor = Executors.newFixedThreadPool(3);
+        try {
+            Future<RenderReport> endless = executor.submit(() -> renderer.render(
+                    scene,
+                    scene.camera(),
+                    setup.film(),
+                    new RenderContext(
+                            SEED,
+                            1,
+                            RenderBudget.samples(1 << 24),
+                            antialiasing("sobol"),
+                            third,
+                            RenderListener.NONE)));
+            Future<FilmImage> resumed = executor.submit(() -> {
+                Film film = setup.film();
+                RenderContext rest = new RenderContext(
+                        SEED,
+                        3,
+                        RenderBudget.samples(32),
+                        antialiasing("sobol"),
+                        new CancellationToken(),
+                        RenderListener.NONE);
+                renderer.render(scene, scene.camera(), film, rest.withStart(state));
+                return film.develop();
+            });
+            Future<FilmImage> second = executor.submit(() -> {
+                third.cancel();
+                return setup.render(renderer, SEED + 1, 2);
+            });
+            assertSame(whole, resumed.get(60, TimeUnit.SECONDS), "resumed");
+            assertSame(other, second.get(60, TimeUnit.SECONDS), "second");
             assertTrue(endless.get(60, TimeUnit.SECONDS).cancelled());
         } finally {
             executor.shutdownNow();
@@ -207,12 +282,16 @@ class ReproducibilityTest {
 
     /** How to render {@link #scene}, with all auxiliary images. */
     private record Setup(ReconstructionFilter filter, Antialiasing antialiasing, int samplesPerPixel) {
+        Film film() {
+            return new Film(new FilmSettings(WIDTH, HEIGHT, filter), Set.of(FilmLayer.values()));
+        }
+
         FilmImage render(Renderer renderer, long seed, int threads) {
             return render(renderer, scene, seed, threads);
         }
 
         FilmImage render(Renderer renderer, Scene what, long seed, int threads) {
-            Film film = new Film(new FilmSettings(WIDTH, HEIGHT, filter), Set.of(FilmLayer.values()));
+            Film film = film();
             RenderReport report = Rendering.render(renderer, what, film, seed, samplesPerPixel, threads, antialiasing);
             assertEquals(0, report.nonFiniteSamples());
             return film.develop();
@@ -233,6 +312,8 @@ class ReproducibilityTest {
             case TENT -> ReconstructionFilter.TENT;
             case GAUSSIAN -> ReconstructionFilter.GAUSSIAN;
             case MITCHELL -> ReconstructionFilter.MITCHELL;
+            case BLACKMAN_HARRIS -> ReconstructionFilter.BLACKMAN_HARRIS;
+            case LANCZOS -> ReconstructionFilter.LANCZOS;
         };
     }
 

@@ -29,7 +29,7 @@ final class GridSampler extends Sampler {
     }
 
     @Override
-    public void start(long pixelIndex, long sampleIndex) {
+    protected void seat(long pixelIndex, long sampleIndex) {
         stream.seat(seed, StreamDomain.PIXEL, pixelIndex, sampleIndex);
         cell = sampleIndex % ((long) cellsPerSide * cellsPerSide);
         dimension = 0;

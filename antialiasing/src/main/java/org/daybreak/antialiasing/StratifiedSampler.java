@@ -23,7 +23,7 @@ final class StratifiedSampler extends Sampler {
     }
 
     @Override
-    public void start(long pixelIndex, long sampleIndex) {
+    protected void seat(long pixelIndex, long sampleIndex) {
         int strata = columns * rows;
         stream.seat(seed, StreamDomain.PIXEL, pixelIndex, sampleIndex);
         // The order of the strata must not hang on the same bits as the jitter: they are hashed with another seed.

@@ -69,7 +69,7 @@ final class AntialiasingTest {
     @Test
     void serviceLoaderFindsTheMethods() {
         assertEquals(
-                List.of("sobol", "stratified", "grid", "none"),
+                List.of("sobol", "stratified", "grid", "none", "adaptive"),
                 factories().stream().map(AntialiasingFactory::id).toList());
         factories()
                 .forEach(f -> assertEquals(

@@ -24,14 +24,18 @@ final class FilmOptions {
             FilmSettings sized = film;
             if (size != null) {
                 int[] wh = numbers("--size", size, "x", "WxH, such as 640x480", 2);
-                sized = new FilmSettings(wh[0], wh[1], film.filter());
+                sized = new FilmSettings(wh[0], wh[1], film.filter()).withFilterSampling(film.filterSampling());
             }
             if (crop == null) {
                 return sized;
             }
             int[] c = numbers("--crop", crop, ",", "X,Y,W,H, such as 0,0,32,32", 4);
             return new FilmSettings(
-                    sized.width(), sized.height(), new FilmSettings.Crop(c[0], c[1], c[2], c[3]), sized.filter());
+                    sized.width(),
+                    sized.height(),
+                    new FilmSettings.Crop(c[0], c[1], c[2], c[3]),
+                    sized.filter(),
+                    sized.filterSampling());
         } catch (IllegalArgumentException e) {
             throw new CommandException(ExitCode.USAGE, String.valueOf(e.getMessage()), e);
         }

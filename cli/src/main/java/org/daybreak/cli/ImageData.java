@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.daybreak.core.render.NearestName;
 import org.daybreak.exr.Box2i;
@@ -14,14 +15,20 @@ import org.daybreak.exr.ExrChannel;
 import org.daybreak.exr.ExrHeader;
 import org.daybreak.exr.ExrImage;
 import org.daybreak.exr.ExrReader;
+import org.daybreak.exr.HdrImage;
+import org.daybreak.exr.ImageFileException;
 import org.daybreak.exr.Pfm;
 import org.daybreak.exr.PfmImage;
 import org.daybreak.exr.PixelType;
+import org.daybreak.exr.RadianceHdr;
+import org.daybreak.exr.SrgbTransfer;
 import org.daybreak.exr.V2f;
 import org.daybreak.scenes.image.ImageLoader;
+import org.daybreak.scenes.image.LoadedImage;
+import org.daybreak.scenes.image.StandardImageLoader;
 
 /**
- * An image of linear values read from a file.
+ * An image read from a file. Values are linear: those of formats for display are decoded by the sRGB curve.
  *
  * @param width columns
  * @param height rows
@@ -37,27 +44,34 @@ record ImageData(
         Map<String, String> types,
         Map<String, float[]> channels,
         Map<String, String> attributes) {
-    private static final List<String> ENDINGS = List.of("exr", "pfm");
+    private static final List<String> ENDINGS = List.of("exr", "pfm", "hdr", "png", "jpg", "jpeg", "bmp", "gif");
 
     /** True if a file is an image by its ending. */
     static boolean isImage(Path file) {
         return ENDINGS.contains(ImageLoader.ending(file));
     }
 
-    /** Reads an EXR or PFM file; {@link ExitCode#INPUT} if that cannot be done. */
+    /** Reads an image file; {@link ExitCode#INPUT} if that cannot be done. */
     static ImageData read(Path file) {
         String ending = ImageLoader.ending(file);
         if (!isImage(file)) {
             throw new CommandException(
-                    ExitCode.INPUT, file + ": is no image with linear values" + NearestName.hint(ending, ENDINGS));
+                    ExitCode.INPUT, file + ": is no image of a known format" + NearestName.hint(ending, ENDINGS));
         }
         if (!Files.exists(file)) {
             throw new CommandException(ExitCode.INPUT, file + ": there is no such file");
         }
         try {
-            return ending.equals("exr") ? exr(ExrReader.read(file)) : pfm(Pfm.read(file));
-        } catch (IOException e) {
+            return switch (ending) {
+                case "exr" -> exr(ExrReader.read(file));
+                case "pfm" -> pfm(Pfm.read(file));
+                case "hdr" -> hdr(RadianceHdr.read(file));
+                default -> display(ending, new StandardImageLoader().load(file));
+            };
+        } catch (ImageFileException e) {
             throw new CommandException(ExitCode.INPUT, String.valueOf(e.getMessage()), e);
+        } catch (IOException e) {
+            throw new CommandException(ExitCode.INPUT, file + ": " + e.getMessage(), e);
         }
     }
 
@@ -66,7 +80,7 @@ record ImageData(
         Map<String, String> types = new LinkedHashMap<>();
         Map<String, float[]> channels = new LinkedHashMap<>();
         for (ExrChannel channel : header.channels()) {
-            types.put(channel.name(), channel.type().name().toLowerCase(java.util.Locale.ROOT));
+            types.put(channel.name(), channel.type().name().toLowerCase(Locale.ROOT));
             channels.put(
                     channel.name(),
                     channel.type() == PixelType.UINT
@@ -117,20 +131,82 @@ record ImageData(
     }
 
     private static ImageData pfm(PfmImage image) {
-        List<String> names = image.components() == 3 ? List.of("R", "G", "B") : List.of("Y");
+        return interleaved(
+                image.width(),
+                image.height(),
+                "PFM",
+                "float",
+                image.components(),
+                image.samples(),
+                Map.of("scale", Float.toString(image.scale())));
+    }
+
+    private static ImageData hdr(HdrImage image) {
+        Map<String, String> attributes = new LinkedHashMap<>();
+        attributes.put("colorSpace", image.colorSpace().toString());
+        attributes.put("exposure", Double.toString(image.exposure()));
+        float[] radiance = new float[image.samples().length];
+        for (int i = 0; i < radiance.length; i++) {
+            double factor = image.exposure() * image.colorCorrection().get(i % 3);
+            radiance[i] = (float) (image.samples()[i] / factor);
+        }
+        return interleaved(image.width(), image.height(), "Radiance HDR", "rgbe", 3, radiance, attributes);
+    }
+
+    private static ImageData display(String ending, LoadedImage image) {
+        int channels = image.channels();
+        float[] linear;
+        String type;
+        if (image instanceof LoadedImage.Bytes bytes) {
+            type = "8-bit sRGB";
+            linear = new float[bytes.samples().length];
+            for (int i = 0; i < linear.length; i++) {
+                linear[i] = linear(Byte.toUnsignedInt(bytes.samples()[i]) / 255.0, i % channels, channels);
+            }
+        } else if (image instanceof LoadedImage.Floats floats) {
+            type = floats.encoded() ? "16-bit sRGB" : "float";
+            linear = floats.samples().clone();
+            for (int i = 0; i < linear.length && floats.encoded(); i++) {
+                linear[i] = linear(linear[i], i % channels, channels);
+            }
+        } else {
+            throw new IllegalArgumentException("unknown kind of image");
+        }
+        return interleaved(
+                image.width(), image.height(), ending.toUpperCase(Locale.ROOT), type, channels, linear, Map.of());
+    }
+
+    /** Decodes a colour; alpha, the second or fourth channel, is linear already. */
+    private static float linear(double encoded, int channel, int channels) {
+        boolean alpha = channels % 2 == 0 && channel == channels - 1;
+        return (float) (alpha ? encoded : SrgbTransfer.decode(encoded));
+    }
+
+    private static ImageData interleaved(
+            int width,
+            int height,
+            String format,
+            String type,
+            int components,
+            float[] samples,
+            Map<String, String> attributes) {
+        List<String> names = switch (components) {
+            case 1 -> List.of("Y");
+            case 2 -> List.of("Y", "A");
+            case 3 -> List.of("R", "G", "B");
+            default -> List.of("R", "G", "B", "A");
+        };
         Map<String, String> types = new LinkedHashMap<>();
         Map<String, float[]> channels = new LinkedHashMap<>();
-        int components = image.components();
-        int pixels = image.width() * image.height();
+        int pixels = width * height;
         for (int c = 0; c < components; c++) {
-            float[] samples = new float[pixels];
+            float[] plane = new float[pixels];
             for (int i = 0; i < pixels; i++) {
-                samples[i] = image.samples()[i * components + c];
+                plane[i] = samples[i * components + c];
             }
-            types.put(names.get(c), "float");
-            channels.put(names.get(c), samples);
+            types.put(names.get(c), type);
+            channels.put(names.get(c), plane);
         }
-        return new ImageData(
-                image.width(), image.height(), "PFM", types, channels, Map.of("scale", Float.toString(image.scale())));
+        return new ImageData(width, height, format, types, channels, attributes);
     }
 }

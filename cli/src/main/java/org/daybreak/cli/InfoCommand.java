@@ -5,27 +5,30 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import org.daybreak.cli.partial.PartialFilmFile;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.scene.SceneCompiler;
 import org.daybreak.scenes.SceneFile;
+import org.daybreak.scenes.image.ImageLoader;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code daybreak info}: what is in a scene or an image. */
+/** {@code daybreak info}: what is in a scene, an image or a partial film. */
 @Command(
         name = "info",
-        description = "Describes a scene (xml) or an image (exr, pfm).",
+        description = "Describes a scene (xml), an image (exr, pfm) or a partial film (daybreak).",
         footer = {
             "",
             "Examples:",
             "  daybreak info scene.xml      shapes, triangles, lights, camera, size of the index",
-            "  daybreak info picture.exr    size, channels, attributes, smallest and largest values"
+            "  daybreak info picture.exr    size, channels, attributes, smallest and largest values",
+            "  daybreak info c.daybreak     what it is a render of, how far it is, checksums of its sums"
         })
 final class InfoCommand implements Callable<Integer> {
     private final Session session;
 
-    @Parameters(paramLabel = "FILE", description = "Scene or image.")
+    @Parameters(paramLabel = "FILE", description = "Scene, image or partial film.")
     private Path file = Path.of("");
 
     @Option(names = "-D", paramLabel = "NAME=VALUE", description = "Value for $NAME in the scene; may be repeated.")
@@ -37,7 +40,9 @@ final class InfoCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        if (ImageData.isImage(file)) {
+        if (ImageLoader.ending(file).equals(PartialFilmFile.ENDING)) {
+            PartialFilmSummary.of(file).forEach(this::line);
+        } else if (ImageData.isImage(file)) {
             describe(ImageData.read(file));
         } else {
             SceneFile scene = Scenes.load(file, defines, session);

@@ -55,6 +55,11 @@ public final class Main {
         }
     }
 
+    /** The program with all its commands. */
+    static CommandLine commandLine(Session session) {
+        return commandLine(session, new String[0]);
+    }
+
     /** All commands, or only the one that is called: picocli looks at each command's annotations by slow reflection. */
     private static CommandLine commandLine(Session session, String[] args) {
         CommandLine daybreak = new CommandLine(new DaybreakCommand());
@@ -63,6 +68,9 @@ public final class Main {
         commands.put("list", () -> new ListCommand(session));
         commands.put("info", () -> new InfoCommand(session));
         commands.put("diff", () -> new DiffCommand(session));
+        commands.put("convert", () -> new ConvertCommand(session));
+        commands.put("merge", () -> new MergeCommand(session));
+        commands.put("completion", () -> new CompletionCommand(session));
         Supplier<Object> called = args.length == 0 ? null : commands.get(args[0]);
         for (Supplier<Object> command : called == null ? commands.values() : List.of(called)) {
             daybreak.addSubcommand(command.get());

@@ -3,6 +3,7 @@ package org.daybreak.cli;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -15,11 +16,13 @@ import org.daybreak.exr.Chromaticities;
 import org.daybreak.exr.ExrAttribute;
 import org.daybreak.exr.ExrImage;
 import org.daybreak.exr.ExrWriter;
+import org.daybreak.exr.HdrImage;
 import org.daybreak.exr.ImageFileException;
 import org.daybreak.exr.Pfm;
 import org.daybreak.exr.PfmImage;
 import org.daybreak.exr.PixelType;
 import org.daybreak.exr.PngWriter;
+import org.daybreak.exr.RadianceHdr;
 
 /**
  * An image file to be written.
@@ -28,6 +31,9 @@ import org.daybreak.exr.PngWriter;
  * @param format how
  */
 record OutputFile(Path path, Format format) {
+    /** Below the largest value of Radiance HDR. */
+    private static final float LARGEST_HDR = 0x1p126f;
+
     /** Formats of images that are written, known by the ending of the file name. */
     enum Format {
         /** OpenEXR. */
@@ -35,12 +41,20 @@ record OutputFile(Path path, Format format) {
         /** Portable float map. */
         PFM("Portable float map: linear 32-bit floats, colour only"),
         /** PNG. */
-        PNG("8-bit sRGB for display, clamped; colour only");
+        PNG("8-bit sRGB for display, clamped; colour only"),
+        /** Radiance HDR. */
+        HDR("Radiance HDR: linear, shared exponents of 8 bits, no negative values; colour only"),
+        /** JPEG. */
+        JPG("8-bit sRGB for display, clamped, quality 0.95; colour only", "jpeg"),
+        /** The film itself. */
+        DAYBREAK("Partial film: all that the render has accumulated, for merge and --resume");
 
         private final String doc;
+        private final List<String> otherEndings;
 
-        Format(String doc) {
+        Format(String doc, String... otherEndings) {
             this.doc = doc;
+            this.otherEndings = List.of(otherEndings);
         }
 
         /** The ending of file names. */
@@ -59,16 +73,17 @@ record OutputFile(Path path, Format format) {
         Path last = path.getFileName();
         String name = last == null ? "" : last.toString();
         String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
-        List<String> known = new ArrayList<>();
+        List<String> endings = new ArrayList<>();
         for (Format format : Format.values()) {
-            if (format.ending().equals(ending) && name.indexOf('.') >= 0) {
+            boolean known = format.ending().equals(ending) || format.otherEndings.contains(ending);
+            if (known && name.indexOf('.') >= 0) {
                 return new OutputFile(path, format);
             }
-            known.add(format.ending());
+            endings.add(format.ending());
         }
         String what = name.indexOf('.') < 0 ? "has no ending" : "has the unknown ending '" + ending + "'";
         throw new CommandException(
-                ExitCode.USAGE, "output file '" + path + "' " + what + NearestName.hint(ending, known));
+                ExitCode.USAGE, "output file '" + path + "' " + what + NearestName.hint(ending, endings));
     }
 
     /**
@@ -107,7 +122,7 @@ record OutputFile(Path path, Format format) {
     }
 
     /**
-     * Writes an image: all of it under its name, or nothing.
+     * Writes an image, in any format but {@link Format#DAYBREAK}: all of it under its name, or nothing.
      *
      * @param attributes texts and numbers on how the image was made; only OpenEXR keeps them
      * @throws ImageFileException if that fails
@@ -115,9 +130,42 @@ record OutputFile(Path path, Format format) {
     void write(FilmImage image, java.util.Map<String, ExrAttribute> attributes) throws ImageFileException {
         switch (format) {
             case EXR -> ExrWriter.write(path, exr(image, attributes));
-            case PFM -> Pfm.write(path, new PfmImage(image.width(), image.height(), 3, interleaved(image)));
-            case PNG -> PngWriter.write(path, image.width(), image.height(), interleaved(image));
+            case DAYBREAK -> throw new IllegalArgumentException("a partial film is no image");
+            default ->
+                writeColor(
+                        image.width(),
+                        image.height(),
+                        List.of(image.channel("R"), image.channel("G"), image.channel("B")));
         }
+    }
+
+    /**
+     * Writes a colour image in a format that holds nothing else.
+     *
+     * @param planes linear red, green and blue, or grey; rows from the top
+     * @throws ImageFileException if that fails
+     */
+    void writeColor(int width, int height, List<float[]> planes) throws ImageFileException {
+        if (format == Format.PFM) {
+            Pfm.write(path, new PfmImage(width, height, planes.size(), interleaved(planes)));
+            return;
+        }
+        float[] rgb = interleaved(planes.size() == 1 ? Collections.nCopies(3, planes.get(0)) : planes);
+        switch (format) {
+            case PNG -> PngWriter.write(path, width, height, rgb);
+            case JPG -> JpegWriter.write(path, width, height, rgb);
+            case HDR -> RadianceHdr.write(path, new HdrImage(width, height, notNegative(rgb)));
+            default -> throw new IllegalArgumentException(format + " holds more than colour");
+        }
+    }
+
+    /** The format has neither negative values nor infinite ones. */
+    private static float[] notNegative(float[] rgb) {
+        float[] values = new float[rgb.length];
+        for (int i = 0; i < rgb.length; i++) {
+            values[i] = rgb[i] > 0 ? Math.min(rgb[i], LARGEST_HDR) : 0;
+        }
+        return values;
     }
 
     private static ExrImage exr(FilmImage image, java.util.Map<String, ExrAttribute> attributes) {
@@ -131,14 +179,14 @@ record OutputFile(Path path, Format format) {
         return builder.build();
     }
 
-    private static float[] interleaved(FilmImage image) {
-        int pixels = image.width() * image.height();
-        float[] samples = new float[3 * pixels];
-        String[] names = {"R", "G", "B"};
-        for (int c = 0; c < 3; c++) {
-            float[] channel = image.channel(names[c]);
+    private static float[] interleaved(List<float[]> planes) {
+        int components = planes.size();
+        int pixels = planes.get(0).length;
+        float[] samples = new float[components * pixels];
+        for (int c = 0; c < components; c++) {
+            float[] plane = planes.get(c);
             for (int i = 0; i < pixels; i++) {
-                samples[3 * i + c] = channel[i];
+                samples[components * i + c] = plane[i];
             }
         }
         return samples;

@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.daybreak.cli.partial.PartialFilmFile;
+import org.daybreak.cli.partial.RenderIdentity;
 import org.daybreak.core.accel.Intersectors;
 import org.daybreak.core.film.FilmLayer;
 import org.daybreak.core.film.FilmSettings;
@@ -15,6 +17,7 @@ import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterException;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.render.RenderBudget;
+import org.daybreak.core.render.RenderPart;
 import org.daybreak.core.render.RendererFactory;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.scene.SceneCompiler;
@@ -22,6 +25,7 @@ import org.daybreak.scenes.SceneFile;
 import org.daybreak.scenes.build.RenderSettingsRequest;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -38,6 +42,8 @@ import picocli.CommandLine.Parameters;
             "  daybreak render scene.xml --time 60 --size 1920x1080 -o big.png",
             "  daybreak render scene.xml --renderer raytracer -P maxDepth=4",
             "  daybreak render scene.xml --antialiasing grid -A gridSize=4 -D spp=16",
+            "  daybreak render scene.xml --spp 4096 --checkpoint c.daybreak",
+            "  daybreak render scene.xml --spp 4096 --checkpoint c.daybreak --resume c.daybreak",
             "  daybreak render scene.xml --layers albedo,normal -o layers.exr --stats s.json",
             "",
             "Ctrl-C writes the image so far; a second Ctrl-C ends the program at once."
@@ -47,13 +53,13 @@ final class RenderCommand implements Callable<Integer> {
 
     private final Session session;
 
-    @Parameters(paramLabel = "SCENE", description = "Scene file (Mitsuba 3 XML).")
+    @Parameters(paramLabel = "SCENE", description = "Scene (Mitsuba XML) or model (obj, ply, stl).")
     private Path scene = Path.of("");
 
     @Option(
             names = {"-o", "--output"},
             paramLabel = "FILE",
-            description = "Image to write, by its ending exr, pfm or png; may be repeated."
+            description = "Image to write, by its ending: exr, pfm, png, hdr, jpg or daybreak; may be repeated."
                     + " Default: <name>.exr and <name>.png in the working directory.")
     private List<Path> outputs = new ArrayList<>();
 
@@ -69,7 +75,7 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--spp",
             paramLabel = "N",
-            description = "Samples per pixel; default: the scene's, else 64; unlimited with --time alone.")
+            description = "Samples per pixel; default: the scene's, else 64; unlimited with --time or --target-error.")
     private @Nullable Long samplesPerPixel;
 
     @Option(
@@ -77,6 +83,12 @@ final class RenderCommand implements Callable<Integer> {
             paramLabel = "SECONDS",
             description = "Stop after this time, counted from the compiled scene on.")
     private @Nullable Double seconds;
+
+    @Option(
+            names = "--target-error",
+            paramLabel = "E",
+            description = "Stop after the pass at which the estimated relative error of the image is below E.")
+    private @Nullable Double targetError;
 
     @Option(
             names = "--seed",
@@ -118,6 +130,9 @@ final class RenderCommand implements Callable<Integer> {
     @Option(names = "--stats", paramLabel = "FILE", description = "Writes statistics as JSON.")
     private @Nullable Path statistics;
 
+    @Mixin
+    private StateOptions states = new StateOptions();
+
     RenderCommand(Session session) {
         this.session = session;
     }
@@ -126,11 +141,12 @@ final class RenderCommand implements Callable<Integer> {
     public Integer call() {
         PhaseTimes times = new PhaseTimes();
         times.begin("load");
+        states.check();
         List<OutputFile> files = outputFiles();
         ProgressMode mode = ProgressMode.of(progress);
         String wanted = intersector;
         if (wanted == null) {
-            checkIntersectorsMeanwhile();
+            Intersectors.warmUp();
         } else {
             Services.checkIntersector(wanted);
         }
@@ -140,6 +156,9 @@ final class RenderCommand implements Callable<Integer> {
         Set<FilmLayer> filmLayers = filmLayers(files);
         int threadCount = threads();
         RenderBudget given = budget(RenderPlan.DEFAULT_SAMPLES);
+        if (given.targetError() > 0 && states.hasPart()) {
+            throw new CommandException(ExitCode.USAGE, "--target-error cannot be used with --part");
+        }
         if (renderer != null) {
             ParameterValues.parse(Services.renderer(renderer).parameters(), parameters, renderer);
         }
@@ -149,44 +168,102 @@ final class RenderCommand implements Callable<Integer> {
         FilmSettings film = film(file);
         file.graph().setFilm(film);
         RendererFactory factory = factory(request);
+        ParameterValues values = values(factory, request);
+        checkResumable(factory, values, files);
+        RenderBudget budget = request.samplesPerPixel().isPresent()
+                ? budget(request.samplesPerPixel().getAsInt())
+                : given;
+        long actualSeed = seed != null ? seed : request.seed().orElse(0);
+        Map<String, String> identity = identity(file, needState(files), film, filmLayers, budget);
+        identity.put(RenderIdentity.RENDERER, factory.id());
+        identity.put(RenderIdentity.PARAMETERS, JsonText.line(values.asMap()));
+        identity.put(RenderIdentity.ANTIALIASING, method.id());
+        identity.put(RenderIdentity.ANTIALIASING_PARAMETERS, JsonText.line(methodValues.asMap()));
+        identity.put(RenderIdentity.SEED, Long.toString(actualSeed));
         RenderPlan plan = new RenderPlan(
                 scene,
                 factory,
-                values(factory, request),
+                values,
                 method.create(methodValues),
                 methodValues,
                 film,
                 filmLayers,
-                request.samplesPerPixel().isPresent()
-                        ? budget(request.samplesPerPixel().getAsInt())
-                        : given,
-                seed != null ? seed : request.seed().orElse(0),
+                budget,
+                actualSeed,
                 threadCount,
-                files);
+                files,
+                identity,
+                states.choose(identity));
         times.begin("compile");
         Scene compiled = Scenes.compile(scene, file, new SceneCompiler.Options(threadCount, intersector));
         RenderJob job = new RenderJob(plan, mode, statistics, session, times);
         return job.run(compiled, file.warnings()).number();
     }
 
-    /** The fast intersectors prove themselves while the scene is read; compiling it waits for the outcome. */
-    private static void checkIntersectorsMeanwhile() {
-        Thread thread = new Thread(Intersectors::select, "daybreak-intersector-check");
-        thread.setDaemon(true);
-        thread.start();
+    private boolean needState(List<OutputFile> files) {
+        return states.needState() || files.stream().anyMatch(f -> f.format() == OutputFile.Format.DAYBREAK);
+    }
+
+    private void checkResumable(RendererFactory factory, ParameterValues values, List<OutputFile> files) {
+        if (needState(files) && !factory.create(values).isResumable()) {
+            throw new CommandException(
+                    ExitCode.USAGE,
+                    "renderer '" + factory.id() + "' can neither be resumed nor cut into parts: leave out --checkpoint,"
+                            + " --resume, --part and outputs with the ending daybreak");
+        }
+    }
+
+    /**
+     * What the bits of the image depend on, but for the algorithms.
+     *
+     * @param withScene false to leave out the digest of the scene, for which all its files are read once more
+     */
+    private Map<String, String> identity(
+            SceneFile file, boolean withScene, FilmSettings film, Set<FilmLayer> filmLayers, RenderBudget budget) {
+        Map<String, String> identity = new LinkedHashMap<>();
+        identity.put(RenderIdentity.SOFTWARE, Version.software());
+        if (withScene) {
+            identity.put(RenderIdentity.SCENE, Scenes.digest(file, scene, defines));
+        }
+        identity.put(RenderIdentity.SAMPLES_PER_PIXEL, Long.toString(budget.samplesPerPixel()));
+        identity.put(RenderIdentity.TARGET_ERROR, Double.toString(budget.targetError()));
+        identity.put(RenderIdentity.SIZE, film.width() + "x" + film.height());
+        identity.put(RenderIdentity.CROP, film.crop().toString());
+        identity.put(
+                RenderIdentity.FILTER,
+                film.filter().kind().id() + " " + film.filter().radius() + " "
+                        + film.filter().parameter() + (film.filterSampling() ? " sampled" : ""));
+        List<String> names = new ArrayList<>();
+        for (FilmLayer layer : FilmLayer.values()) {
+            if (filmLayers.contains(layer)) {
+                names.add(layer.id());
+            }
+        }
+        identity.put(RenderIdentity.LAYERS, String.join(",", names));
+        return identity;
     }
 
     private List<OutputFile> outputFiles() {
         List<Path> paths = outputs;
         if (paths.isEmpty()) {
             String name = Scenes.name(scene);
-            paths = List.of(Path.of(name + ".exr"), Path.of(name + ".png"));
+            RenderPart part = states.part();
+            paths = part.isWhole()
+                    ? List.of(Path.of(name + ".exr"), Path.of(name + ".png"))
+                    : List.of(Path.of(
+                            name + "." + (part.index() + 1) + "of" + part.count() + "." + PartialFilmFile.ENDING));
         }
         List<OutputFile> files = new ArrayList<>();
         for (Path path : paths) {
             files.add(OutputFile.of(path));
         }
+        if (states.hasPart() && files.stream().anyMatch(f -> f.format() != OutputFile.Format.DAYBREAK)) {
+            throw new CommandException(
+                    ExitCode.USAGE,
+                    "a part of an image can only be written to a file with the ending " + PartialFilmFile.ENDING);
+        }
         List<Path> all = new ArrayList<>(paths);
+        all.addAll(states.files());
         if (statistics != null) {
             all.add(statistics);
         }
@@ -196,7 +273,10 @@ final class RenderCommand implements Callable<Integer> {
 
     private Set<FilmLayer> filmLayers(List<OutputFile> files) {
         Set<FilmLayer> chosen = FilmOptions.layers(layers);
-        if (!chosen.isEmpty() && files.stream().noneMatch(file -> file.format() == OutputFile.Format.EXR)) {
+        if (!chosen.isEmpty()
+                && files.stream()
+                        .noneMatch(file -> file.format() == OutputFile.Format.EXR
+                                || file.format() == OutputFile.Format.DAYBREAK)) {
             throw new CommandException(ExitCode.USAGE, "--layers needs an output file with the ending exr");
         }
         return chosen;
@@ -221,10 +301,15 @@ final class RenderCommand implements Callable<Integer> {
         if (seconds != null && !(seconds > 0)) {
             throw new CommandException(ExitCode.USAGE, "--time is " + seconds + " but must be greater than 0 seconds");
         }
-        if (seconds == null) {
-            return RenderBudget.samples(samplesPerPixel == null ? samplesOtherwise : samplesPerPixel);
+        if (targetError != null && !(targetError > 0 && targetError < 1)) {
+            throw new CommandException(
+                    ExitCode.USAGE, "--target-error is " + targetError + " but must be between 0 and 1");
         }
-        return samplesPerPixel == null ? RenderBudget.seconds(seconds) : new RenderBudget(samplesPerPixel, seconds, 0);
+        long samples = samplesPerPixel != null
+                ? samplesPerPixel
+                : seconds == null && targetError == null ? samplesOtherwise : Integer.MAX_VALUE;
+        return new RenderBudget(
+                samples, seconds == null ? Double.POSITIVE_INFINITY : seconds, targetError == null ? 0 : targetError);
     }
 
     private FilmSettings film(SceneFile file) {

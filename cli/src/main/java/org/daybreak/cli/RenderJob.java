@@ -5,10 +5,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.daybreak.cli.partial.PartialFilm;
+import org.daybreak.cli.partial.PartialFilmFile;
 import org.daybreak.core.film.Film;
 import org.daybreak.core.film.FilmImage;
+import org.daybreak.core.render.CheckpointException;
 import org.daybreak.core.render.RenderContext;
 import org.daybreak.core.render.RenderReport;
+import org.daybreak.core.render.RenderState;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.exr.AtomicFiles;
 import org.daybreak.exr.ExrAttribute;
@@ -45,6 +49,8 @@ final class RenderJob {
      */
     ExitCode run(Scene scene, List<SceneProblem> sceneWarnings) {
         Film film = newFilm();
+        boolean writesState = plan.outputs().stream().anyMatch(o -> o.format() == OutputFile.Format.DAYBREAK);
+        CheckpointFile checkpoints = new CheckpointFile(plan.identity(), plan.state(), writesState);
         ProgressDisplay progress = ProgressDisplay.of(mode, session);
         RenderContext context = new RenderContext(
                 plan.seed(),
@@ -52,21 +58,28 @@ final class RenderJob {
                 plan.budget(),
                 plan.antialiasing(),
                 session.interrupts().cancellation(),
-                progress);
+                progress,
+                plan.state().part(),
+                plan.state().start(),
+                checkpoints);
         session.interrupts().protectImage();
         times.begin("render");
         RenderReport report;
         try {
             report = plan.renderer().create(plan.parameters()).render(scene, scene.camera(), film, context);
+        } catch (CheckpointException e) {
+            throw new CommandException(ExitCode.OUTPUT, String.valueOf(e.getMessage()), e);
         } finally {
             times.end();
             progress.close();
         }
         times.begin("write");
         FilmImage image = film.develop();
-        Map<String, ExrAttribute> attributes = ImageAttributes.of(plan, report, times.wall("render"));
+        RenderState start = plan.state().start();
+        double seconds = times.wall("render") + (start == null ? 0 : start.seconds());
+        Map<String, ExrAttribute> attributes = ImageAttributes.of(plan, report, seconds);
         List<OutputFile> written = new ArrayList<>();
-        boolean failed = !write(image, attributes, written);
+        boolean failed = !write(image, attributes, checkpoints.last(), written);
         times.end();
         List<String> warnings = new ArrayList<>();
         for (SceneProblem warning : sceneWarnings) {
@@ -90,11 +103,19 @@ final class RenderJob {
     }
 
     /** Writes all images, also if one fails: a render is too dear to lose the others. */
-    private boolean write(FilmImage image, Map<String, ExrAttribute> attributes, List<OutputFile> written) {
+    private boolean write(
+            FilmImage image,
+            Map<String, ExrAttribute> attributes,
+            @Nullable PartialFilm state,
+            List<OutputFile> written) {
         boolean all = true;
         for (OutputFile output : plan.outputs()) {
             try {
-                output.write(image, attributes);
+                if (output.format() != OutputFile.Format.DAYBREAK) {
+                    output.write(image, attributes);
+                } else if (state != null) {
+                    PartialFilmFile.write(output.path(), state);
+                }
                 written.add(output);
             } catch (ImageFileException e) {
                 session.error(String.valueOf(e.getMessage()));

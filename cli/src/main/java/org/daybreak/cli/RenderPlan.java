@@ -26,6 +26,8 @@ import org.daybreak.core.render.RendererFactory;
  * @param seed seed of all random numbers
  * @param threads number of threads
  * @param outputs image files
+ * @param identity all that the bits of the image depend on, see {@link org.daybreak.cli.partial.RenderIdentity}
+ * @param state what is saved, continued and divided
  */
 record RenderPlan(
         Path scene,
@@ -38,7 +40,9 @@ record RenderPlan(
         RenderBudget budget,
         long seed,
         int threads,
-        List<OutputFile> outputs) {
+        List<OutputFile> outputs,
+        Map<String, String> identity,
+        StateOptions.Choice state) {
     /** Renderer where neither command line nor scene names one. */
     static final String DEFAULT_RENDERER = "path";
 

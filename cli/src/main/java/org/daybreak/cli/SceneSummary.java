@@ -93,7 +93,9 @@ final class SceneSummary {
     }
 
     private static void camera(@org.jspecify.annotations.Nullable CameraSettings camera, Map<String, String> lines) {
-        if (camera != null) {
+        if (camera != null && camera.projection() != CameraSettings.Projection.PERSPECTIVE) {
+            lines.put("camera", camera.projection().name().toLowerCase(Locale.ROOT));
+        } else if (camera != null) {
             String lens = camera.apertureRadius() == 0
                     ? "pinhole"
                     : "thin lens of radius " + camera.apertureRadius() + " focused at " + camera.focusDistance();

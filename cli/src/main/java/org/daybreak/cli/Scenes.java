@@ -1,7 +1,9 @@
 package org.daybreak.cli;
 
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Map;
+import org.daybreak.cli.partial.RenderIdentity;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.scene.SceneCompiler;
 import org.daybreak.scenes.SceneFile;
@@ -22,6 +24,15 @@ final class Scenes {
             return scene;
         } catch (SceneException e) {
             throw new CommandException(ExitCode.INPUT, String.valueOf(e.getMessage()), e);
+        }
+    }
+
+    /** A digest of all that a scene depends on; {@link ExitCode#INPUT} if a file cannot be read any more. */
+    static String digest(SceneFile scene, Path file, Map<String, String> defines) {
+        try {
+            return RenderIdentity.sceneDigest(scene.files(), defines);
+        } catch (UncheckedIOException e) {
+            throw new CommandException(ExitCode.INPUT, file + ": " + e.getMessage(), e);
         }
     }
 

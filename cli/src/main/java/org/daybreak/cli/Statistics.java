@@ -64,8 +64,9 @@ final class Statistics {
         values.put("threads", plan.threads());
         values.put("cancelled", report.cancelled());
         values.put("samples", report.samples());
+        values.put("resumedSamples", report.resumedSamples());
         values.put("samplesPerPixel", report.samplesPerPixel());
-        values.put("samplesPerSecond", report.samples() / seconds);
+        values.put("samplesPerSecond", (report.samples() - report.resumedSamples()) / seconds);
         values.put("relativeError", relativeError);
         values.put("seconds", seconds());
         values.put("secondsOfRenderer", report.secondsByPhase());

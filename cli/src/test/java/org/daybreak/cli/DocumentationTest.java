@@ -30,7 +30,7 @@ class DocumentationTest {
     @Test
     void everyOptionOfRender() throws IOException {
         String page = page("cli.md");
-        Matcher option = Pattern.compile("^ +(-\\w|(?=--))(?:, )?(--\\w+)?", Pattern.MULTILINE)
+        Matcher option = Pattern.compile("^ +(-\\w|(?=--))(?:, )?(--[\\w-]+)?", Pattern.MULTILINE)
                 .matcher(Cli.run("render", "--help").out());
         int count = 0;
         while (option.find()) {
@@ -40,7 +40,7 @@ class DocumentationTest {
                 assertTrue(page.contains("`" + name + " "), name);
             }
         }
-        assertEquals(16, count);
+        assertEquals(21, count);
     }
 
     @Test

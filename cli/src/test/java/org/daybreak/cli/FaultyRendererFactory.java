@@ -46,6 +46,7 @@ public final class FaultyRendererFactory implements RendererFactory {
                         id(),
                         false,
                         64,
+                        0,
                         1,
                         Map.of("prepare", 0.0, "render", 0.0),
                         Map.of("camera", 64L),

@@ -29,6 +29,7 @@ class UsageTest {
                 "--spp many | 'many' is not a long",
                 "--time 0 | --time is 0.0 but must be greater than 0",
                 "--time NaN | --time is NaN but must be greater than 0",
+                "--target-error 0 | --target-error is 0.0 but must be between 0 and 1",
                 "--threads 0 | --threads is 0 but must be from 1 to 1024",
                 "--seed x | 'x' is not a long",
                 "--size 8 | --size is '8' but must be of the form WxH",
@@ -67,7 +68,7 @@ class UsageTest {
         Path scene = TestScenes.write(folder, TestScenes.usual());
         Cli.Result result = Cli.run("render", scene, "-o", folder.resolve(name));
         assertEquals(2, result.code(), result.err());
-        assertTrue(result.err().contains("(known: exr, pfm, png)"), result.err());
+        assertTrue(result.err().contains("(known: exr, pfm, png, hdr, jpg, daybreak)"), result.err());
     }
 
     @Test
@@ -92,7 +93,7 @@ class UsageTest {
         Cli.Result unknown = Cli.run("rendr");
         assertEquals(2, unknown.code());
         assertTrue(unknown.err().contains("there is no command 'rendr'; did you mean 'render'?"), unknown.err());
-        for (String command : new String[] {"render", "list", "info", "diff"}) {
+        for (String command : new String[] {"render", "list", "info", "diff", "convert", "merge", "completion"}) {
             Cli.Result help = Cli.run(command, "--help");
             assertEquals(0, help.code());
             assertTrue(help.out().contains("Examples:"), help.out());
@@ -100,6 +101,17 @@ class UsageTest {
         }
         assertTrue(Cli.run("--help").out().contains("Examples:"));
         assertEquals(2, Cli.run("render").code());
+    }
+
+    @Test
+    void completionKnowsCommandsAndOptions() {
+        for (String shell : new String[] {"bash", "zsh"}) {
+            Cli.Result result = Cli.run("completion", shell);
+            assertEquals(0, result.code(), result.err());
+            assertTrue(result.out().contains("--checkpoint-interval"), shell);
+            assertTrue(result.out().contains("complete -F"), shell);
+        }
+        assertEquals(2, Cli.run("completion", "fish").code());
     }
 
     @Test

@@ -2,11 +2,13 @@ package org.daybreak.exr;
 
 import java.io.IOException;
 import java.io.RandomAccessFile;
+import java.nio.channels.FileChannel;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.util.concurrent.ThreadLocalRandom;
 
 /**
@@ -51,15 +53,38 @@ public final class AtomicFiles {
      *     disk is full, or the content fails
      */
     public static void write(Path target, Content content) throws ImageFileException {
+        write(target, content, false);
+    }
+
+    /**
+     * Writes a file so that it survives the end of the process or of the machine at any moment: after that the target is the
+     * old file or the new one, complete. The temporary file has always the same name, so that ends in the middle do
+     * not leave more and more of them behind; at most one write to a target may be under way.
+     *
+     * @param target file to create or replace; a symbolic link is followed
+     * @param content writes the bytes
+     * @throws ImageFileException as {@link #write(Path, Content)} does
+     */
+    public static void writeDurably(Path target, Content content) throws ImageFileException {
+        write(target, content, true);
+    }
+
+    private static void write(Path target, Content content, boolean durably) throws ImageFileException {
         Path temporary = null;
         try {
             Path place = place(target);
-            temporary = createBeside(place);
+            temporary = durably ? createNamedBeside(place) : createBeside(place);
             try (RandomAccessFile file = new RandomAccessFile(temporary.toFile(), "rw")) {
                 content.writeTo(file);
+                if (durably) {
+                    file.getFD().sync();
+                }
             }
             move(temporary, place);
             temporary = null;
+            if (durably) {
+                syncFolder(place);
+            }
         } catch (ImageFileException e) {
             throw e;
         } catch (AccessDeniedException e) {
@@ -100,6 +125,26 @@ public final class AtomicFiles {
         String name =
                 ".daybreak-" + Long.toHexString(ThreadLocalRandom.current().nextLong()) + ".tmp";
         return Files.createFile(place.resolveSibling(name));
+    }
+
+    private static Path createNamedBeside(Path place) throws IOException {
+        Path temporary = place.resolveSibling("." + place.getFileName() + ".tmp");
+        Files.deleteIfExists(temporary);
+        return Files.createFile(temporary);
+    }
+
+    /** Makes the move last. Systems that cannot open folders keep the order of such changes themselves. */
+    private static void syncFolder(Path place) {
+        Path folder = place.getParent();
+        if (folder == null) {
+            return;
+        }
+        try (FileChannel channel = FileChannel.open(folder, StandardOpenOption.READ)) {
+            channel.force(true);
+        } catch (IOException e) {
+            // The file itself is complete under its name; no more can be done here.
+            return;
+        }
     }
 
     private static void move(Path from, Path to) throws IOException {

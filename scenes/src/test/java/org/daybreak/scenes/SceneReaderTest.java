@@ -18,6 +18,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
@@ -34,6 +35,7 @@ import org.daybreak.core.geometry.Cylinder;
 import org.daybreak.core.geometry.Sphere;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.geometry.TriangleMesh;
+import org.daybreak.core.light.SkySettings;
 import org.daybreak.core.material.Conductor;
 import org.daybreak.core.material.Dielectric;
 import org.daybreak.core.material.Diffuse;
@@ -46,6 +48,7 @@ import org.daybreak.core.material.TwoSided;
 import org.daybreak.core.scene.CameraSettings;
 import org.daybreak.core.scene.LightNode;
 import org.daybreak.core.scene.LightSource;
+import org.daybreak.core.scene.Node;
 import org.daybreak.core.scene.ShapeNode;
 import org.daybreak.scenes.description.SceneException;
 import org.daybreak.scenes.image.ImageLoader;
@@ -218,6 +221,81 @@ class SceneReaderTest {
         texture.mean(radiance);
         assertEquals(3, radiance.r);
         assertNull(shape("<shape type='disk'/>").radiance());
+    }
+
+    @Test
+    void directionalLightsTravelAlongTheirDirection() throws IOException, SceneException {
+        for (double[] d : new double[][] {{1, 2, -2}, {0, -3, 0}, {0, 0, -1}, {-4, 0, 0}}) {
+            LightNode node = lightNode("<emitter type='directional'><rgb name='irradiance' value='3,2,1'/>"
+                    + "<vector name='direction' value='" + d[0] + " " + d[1] + " " + d[2] + "'/></emitter>");
+            assertEquals(new LightSource.Directional(new Color3f(3, 2, 1)), node.source());
+            double length = Math.hypot(Math.hypot(d[0], d[1]), d[2]);
+            assertEquals(d[0] / length, node.transform().m02, 1e-12);
+            assertEquals(d[1] / length, node.transform().m12, 1e-12);
+            assertEquals(d[2] / length, node.transform().m22, 1e-12);
+        }
+        LightNode turned = lightNode("<emitter type='directional'><transform name='to_world'>"
+                + "<rotate y='1' angle='90'/></transform></emitter>");
+        assertEquals(1, turned.transform().m02, 1e-12);
+    }
+
+    @Test
+    void readsSkiesAsTwoLights() throws IOException, SceneException {
+        String sky = "<emitter type='%s'><float name='turbidity' value='4'/>"
+                + "<vector name='sun_direction' value='0 1 1'/><transform name='to_world'>"
+                + "<rotate x='1' angle='-90'/></transform></emitter>";
+        List<Node> both = load(String.format(sky, "sunsky")).graph().root().children();
+        LightSource.Sky first = (LightSource.Sky) ((LightNode) both.get(1)).source();
+        LightSource.Sun second = (LightSource.Sun) ((LightNode) both.get(2)).source();
+        assertEquals(4, first.settings().turbidity());
+        assertEquals(SkySettings.Kind.HOSEK_WILKIE, first.settings().kind());
+        // World (0, 1, 1) is, for a sky whose zenith is +y, half way up.
+        assertEquals(Math.sqrt(0.5), first.settings().sun().z, 1e-12);
+        assertEquals(-Math.sqrt(0.5), first.settings().sun().y, 1e-12);
+        assertEquals(0.5358, second.apertureDegrees());
+        assertEquals(
+                2, load(String.format(sky, "sky")).graph().root().children().size());
+        assertInstanceOf(LightSource.Sun.class, light(String.format(sky, "sun")));
+        LightSource.Sky preetham = (LightSource.Sky) light(
+                "<emitter type='sky'><string name='model' value='preetham'/><float name='hour' value='12'/></emitter>");
+        assertEquals(SkySettings.Kind.PREETHAM, preetham.settings().kind());
+        assertTrue(preetham.settings().sun().z > 0.9);
+    }
+
+    @Test
+    void readsLuminairesAndSlides() throws IOException, SceneException {
+        Files.writeString(folder.resolve("lamp.ies"), "TILT=NONE\n1 -1 1 2 1 1 2 0 0 0 1 1 10\n0 90\n0\n500 100\n");
+        LightSource.Photometric lamp = assertInstanceOf(
+                LightSource.Photometric.class,
+                light("<emitter type='point'><string name='ies' value='lamp.ies'/></emitter>"));
+        assertEquals(500, lamp.profile().maximum());
+        LightSource.Spot spot = assertInstanceOf(
+                LightSource.Spot.class,
+                light("<emitter type='spot'><texture type='checkerboard' name='texture'/></emitter>"));
+        assertNotNull(spot.slide());
+    }
+
+    @Test
+    void readsOtherCamerasAndFilters() throws IOException, SceneException {
+        String sensor = "<sensor type='%s'>%s<film type='hdrfilm'><boolean name='filter_sampling' value='true'/>"
+                + "<rfilter type='%s'/></film></sensor>";
+        for (String[] row : new String[][] {
+            {"orthographic", "<float name='pixel_aspect' value='2'/>", "lanczos", "ORTHOGRAPHIC", "LANCZOS"},
+            {"environment", "", "blackmanharris", "ENVIRONMENT", "BLACKMAN_HARRIS"},
+            {"spherical", "", "catmullrom", "ENVIRONMENT", "MITCHELL"},
+            {"perspective", "<float name='principal_point_offset_x' value='0.2'/>", "tent", "PERSPECTIVE", "TENT"}
+        }) {
+            Path file = SceneTexts.write(
+                    folder,
+                    "camera.xml",
+                    "<scene version='3.0.0'>" + String.format(sensor, row[0], row[1], row[2]) + "</scene>");
+            SceneFile scene = new SceneReader(new StandardImageLoader()).load(file, Map.of());
+            CameraSettings camera = Objects.requireNonNull(scene.graph().camera());
+            assertEquals(row[3], camera.projection().name());
+            FilmSettings film = Objects.requireNonNull(scene.graph().film());
+            assertEquals(row[4], film.filter().kind().name());
+            assertTrue(film.filterSampling());
+        }
     }
 
     @Test

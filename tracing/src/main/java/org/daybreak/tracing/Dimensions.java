@@ -16,38 +16,29 @@ final class Dimensions {
     private static final int GROUP = 4;
     private static final int CHOICES = 1 << 24;
     private static final int LIGHT_CHOICES = 1 << 26;
-
-    /** So many vertices of so many paths have dimensions of their own; beyond that, numbers are used again. */
-    private static final int SPLIT_VERTICES = 1 << 12;
-
-    private static final int SPLIT_PATHS = 1 << 10;
     private static final int FURTHER_LIGHTS = 1 << 28;
+
+    /** So many vertices have dimensions of their own; beyond that, numbers are used again. */
+    private static final int VERTICES = 1 << 18;
+
+    /** Added to the vertex number once a path has split: see {@link org.daybreak.core.sampling.Sampler#branch}. */
+    static final int SPLIT = VERTICES;
 
     private Dimensions() {}
 
     /** The first of: two for the direction scattered at a vertex, two for the light point of the vertex after it. */
     static int scattering(int vertex) {
-        return GROUP * vertex;
+        return GROUP * (vertex & 2 * VERTICES - 1);
     }
 
-    /** The first of: lobe, light, Russian roulette. For vertex 0, the lens: two for the point on it. */
+    /** The first of two: lobe, Russian roulette. For vertex 0, the lens: the point on it. */
     static int choices(int vertex) {
-        return CHOICES + GROUP * vertex;
+        return CHOICES + scattering(vertex);
     }
 
-    /** {@link #scattering(int)} for one of several paths that were split off; the first has the dimensions of an unsplit one. */
-    static int scattering(int vertex, int path) {
-        return GROUP * ((vertex & SPLIT_VERTICES - 1) + (path & SPLIT_PATHS - 1) * SPLIT_VERTICES);
-    }
-
-    /** The first of two for one of several paths that were split off: lobe, Russian roulette. */
-    static int choices(int vertex, int path) {
-        return CHOICES + scattering(vertex, path);
-    }
-
-    /** The one that chooses a light at a vertex of one of several paths that were split off. */
-    static int lightChoice(int vertex, int path) {
-        return LIGHT_CHOICES + scattering(vertex, path);
+    /** The one that chooses a light at a vertex. */
+    static int lightChoice(int vertex) {
+        return LIGHT_CHOICES + scattering(vertex);
     }
 
     /** The first of two for a light point when a vertex has several. */

@@ -3,6 +3,7 @@ package org.daybreak.tracing;
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.light.Light;
+import org.daybreak.core.light.LightChoice;
 import org.daybreak.core.light.LightSample;
 import org.daybreak.core.light.LightSelection;
 import org.daybreak.core.material.Bsdf;
@@ -23,6 +24,7 @@ final class DirectLight {
     private final boolean single;
 
     private final RayCaster caster;
+    private final LightChoice chosen = new LightChoice();
     private final LightSample light = new LightSample();
     private final Spectrum value = new Spectrum();
 
@@ -50,6 +52,7 @@ final class DirectLight {
         scene = caster.scene();
         selection = scene.lightSelection();
         single = scene.lightCount() == 1;
+        chosen.probability = 1;
     }
 
     /**
@@ -104,8 +107,10 @@ final class DirectLight {
         nx = side * p.nx;
         ny = side * p.ny;
         nz = side * p.nz;
-        int index = single ? 0 : selection.choose(p.x, p.y, p.z, nx, ny, nz, choice);
-        if (index < 0 || !scene.light(index).sampleIncident(p.x, p.y, p.z, u, v, light)) {
+        if (!single && !selection.choose(p.x, p.y, p.z, nx, ny, nz, choice, chosen)) {
+            return;
+        }
+        if (!scene.light(chosen.light).sampleIncident(p.x, p.y, p.z, u, v, light)) {
             return;
         }
         double scatterDensity = Scattering.evaluate(
@@ -117,9 +122,8 @@ final class DirectLight {
         if (r == 0 && g == 0 && b == 0) {
             return;
         }
-        double chosen = single ? 1 : selection.probability(index, p.x, p.y, p.z, nx, ny, nz);
-        double weight = light.delta ? 1 : powerHeuristic(chosen * light.density, scatterDensity);
-        weight *= visibility(p) / chosen;
+        double weight = light.delta ? 1 : powerHeuristic(chosen.probability * light.density, scatterDensity);
+        weight *= visibility(p) / chosen.probability;
         if (weight != 0) {
             radiance.r += weight * r;
             radiance.g += weight * g;

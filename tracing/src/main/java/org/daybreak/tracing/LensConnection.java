@@ -97,6 +97,9 @@ final class LensConnection {
      * @return false if the contribution was not finite
      */
     boolean joinInfinite(Light light, double chosen, double s, double t, double u, double v, SplatBuffer splats) {
+        if (camera.isParallel()) {
+            return joinInfiniteFromFilm(light, chosen, s, t, splats);
+        }
         // Any film position gives the lens point of u and v.
         if (!camera.sampleRay(0.5 * camera.width(), 0.5 * camera.height(), u, v, cameraRay)) {
             return true;
@@ -121,6 +124,36 @@ final class LensConnection {
         }
         double visible = caster.transmittanceToInfinity(lens.point, sky.wiX, sky.wiY, sky.wiZ);
         return visible == 0 || splats.add(lens.filmX, lens.filmY, visible * r, visible * g, visible * b);
+    }
+
+    /** The same for a camera of parallel rays: of all directions it sees one, so the film position is drawn instead. */
+    private boolean joinInfiniteFromFilm(Light light, double chosen, double s, double t, SplatBuffer splats) {
+        double filmX = s * camera.width();
+        double filmY = t * camera.height();
+        if (!camera.sampleRay(filmX, filmY, 0.5, 0.5, cameraRay)) {
+            return true;
+        }
+        double dx = cameraRay.dx;
+        double dy = cameraRay.dy;
+        double dz = cameraRay.dz;
+        light.radiance(lens.point, -dx, -dy, -dz, value);
+        if (value.isBlack()) {
+            return true;
+        }
+        SurfacePoint origin = lens.point;
+        origin.x = cameraRay.ox;
+        origin.y = cameraRay.oy;
+        origin.z = cameraRay.oz;
+        origin.gx = dx;
+        origin.gy = dy;
+        origin.gz = dz;
+        origin.offset = 0;
+        origin.shape = -1;
+        origin.primitive = -1;
+        origin.instance = -1;
+        double scale = (double) camera.width() * camera.height() / chosen;
+        double visible = scale * caster.transmittanceToInfinity(origin, dx, dy, dz);
+        return visible == 0 || splats.add(filmX, filmY, visible * value.r, visible * value.g, visible * value.b);
     }
 
     /** Multiplies the value in hand with factors, and with the visibility of the lens if there is anything to see. */

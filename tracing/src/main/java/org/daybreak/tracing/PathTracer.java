@@ -127,13 +127,13 @@ final class PathTracer implements RayProcessor {
         scatterDensity = Double.POSITIVE_INFINITY;
         edges = 1;
         found = caster.trace(cameraRay.ox, cameraRay.oy, cameraRay.oz, dx, dy, dz, RayKind.CAMERA, here);
-        for (int vertex = 1; arrive(vertex, 0, sampler, out); vertex++) {
+        for (int vertex = 1; arrive(vertex, sampler, out); vertex++) {
             Bsdf bsdf = scene.bsdf(here.shape);
             if (splitting > 1 && bsdf.connectable() && !bsdf.maybeTransparent()) {
                 split(vertex, sampler, out);
                 return true;
             }
-            if (!scatter(vertex, 0, sampler, out)) {
+            if (!scatter(vertex, sampler, out)) {
                 return true;
             }
         }
@@ -164,10 +164,11 @@ final class PathTracer implements RayProcessor {
             b = forkB;
             etaScale = forkEtaScale;
             edges = forkEdges;
-            int at = vertex;
-            while (scatter(at, path, sampler, out)) {
+            sampler.branch(path, splitting);
+            int at = vertex + Dimensions.SPLIT;
+            while (scatter(at, sampler, out)) {
                 at++;
-                if (!arrive(at, path, sampler, out)) {
+                if (!arrive(at, sampler, out)) {
                     break;
                 }
             }
@@ -178,10 +179,10 @@ final class PathTracer implements RayProcessor {
      * Gathers the light at the end of the ray in hand: what an emitter there sends along it, and what a light sample
      * contributes.
      *
-     * @param path which of the paths that were split off
+     * @param vertex number of the vertex, for {@link Dimensions}
      * @return false if the path ends here
      */
-    private boolean arrive(int vertex, int path, Sampler sampler, RaySample out) {
+    private boolean arrive(int vertex, Sampler sampler, RaySample out) {
         if (!found) {
             direct.addEscaped(here, dx, dy, dz, r, g, b, scatterDensity, out.radiance);
             return false;
@@ -200,7 +201,7 @@ final class PathTracer implements RayProcessor {
         if (lit && bsdf.connectable()) {
             double choice = 0.5;
             if (severalLights) {
-                sampler.setDimension(Dimensions.lightChoice(vertex, path));
+                sampler.setDimension(Dimensions.lightChoice(vertex));
                 choice = sampler.next();
             }
             direct.addSampled(here, bsdf, -dx, -dy, -dz, r, g, b, choice, lightU, lightV, out.radiance);
@@ -211,20 +212,20 @@ final class PathTracer implements RayProcessor {
     /**
      * Scatters the path at the vertex in hand and traces the next ray.
      *
-     * @param path which of the paths that were split off
+     * @param vertex number of the vertex, for {@link Dimensions}
      * @return false if the path ends here
      */
-    private boolean scatter(int vertex, int path, Sampler sampler, RaySample out) {
+    private boolean scatter(int vertex, Sampler sampler, RaySample out) {
         Bsdf bsdf = scene.bsdf(here.shape);
         boolean roulette = edges >= rrDepth;
         double lobe = 0;
         double survival = 0;
         if (roulette || bsdf.choosesLobe()) {
-            sampler.setDimension(Dimensions.choices(vertex, path));
+            sampler.setDimension(Dimensions.choices(vertex));
             lobe = sampler.next();
             survival = sampler.next();
         }
-        sampler.setDimension(Dimensions.scattering(vertex, path));
+        sampler.setDimension(Dimensions.scattering(vertex));
         double u = sampler.next();
         double v = sampler.next();
         lightU = sampler.next();

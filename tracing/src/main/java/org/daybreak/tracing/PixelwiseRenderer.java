@@ -7,31 +7,34 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.film.Film;
 import org.daybreak.core.film.FilmSettings;
-import org.daybreak.core.film.FilmTile;
-import org.daybreak.core.film.SplatBuffer;
+import org.daybreak.core.film.FilterSampler;
+import org.daybreak.core.render.Checkpoints;
 import org.daybreak.core.render.NonFiniteLog;
 import org.daybreak.core.render.OrderedWork;
+import org.daybreak.core.render.ParameterException;
 import org.daybreak.core.render.ProgressReporter;
 import org.daybreak.core.render.RenderClock;
 import org.daybreak.core.render.RenderContext;
 import org.daybreak.core.render.RenderReport;
+import org.daybreak.core.render.RenderState;
 import org.daybreak.core.render.Renderer;
+import org.daybreak.core.render.SampleAllocation;
 import org.daybreak.core.sampling.Sampler;
 import org.daybreak.core.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Renders pixel by pixel: asks the antialiasing method for samples in each pixel and a {@link RayProcessor} for their
  * radiance (the thesis' class of that name).
  *
- * <p>Work is cut into tiles and passes. The first passes take 1, 1, 2, 4, … samples per pixel, so that a complete image is there
- * soon; later ones {@value #LARGEST_PASS}. Their sizes depend on nothing but the budget in samples, and tiles
- * are committed in order: the image is the same, bit for bit, for any number of threads. Under a time limit, passes
- * that would not be complete in time are made smaller; the last one stops wherever time runs out, and each pixel
- * is the mean of the samples that it has.
+ * <p>Work is cut into tiles and passes ({@link UniformSchedule}, {@link AdaptiveSchedule}). The sizes of passes depend on
+ * nothing but the budget in samples, and tiles are committed in order: the image is the same, bit for bit, for any number
+ * of threads. Under a time limit, passes that would not be complete in time are made smaller; the last one stops
+ * wherever time runs out, and each pixel is the mean of the samples that it has.
+ *
+ * <p>A part of a render is a range of tiles, see {@link TileGrid}. It has no splats, as these would land in other parts.
  */
 public final class PixelwiseRenderer implements Renderer {
-    private static final int TILE_SIZE = 32;
-    private static final int LARGEST_PASS = 16;
     private static final int SAMPLES_BETWEEN_CHECKS = 16;
 
     private final String id;
@@ -56,52 +59,37 @@ public final class PixelwiseRenderer implements Renderer {
         return work.report();
     }
 
-    /** A tile of a pass: what to do and what came out. */
-    private static final class Unit {
-        final FilmTile tile;
-        final SplatBuffer splats = new SplatBuffer();
-        final NonFiniteLog nonFinite = new NonFiniteLog();
-        int x;
-        int y;
-        int width;
-        int height;
-        long firstSample;
-        int samplesPerPixel;
-        boolean endsPass;
-        long samples;
-
-        Unit(FilmTile tile) {
-            this.tile = tile;
-        }
+    @Override
+    public boolean isResumable() {
+        return true;
     }
 
     /** One render. */
-    private final class Work extends OrderedWork<Unit> {
+    private final class Work extends OrderedWork<TileUnit> {
         private final Scene scene;
         private final Camera camera;
         private final Film film;
         private final RenderContext context;
         private final RenderClock clock;
         private final ProgressReporter progress;
-        private final FilmSettings.Crop area;
-        private final int tilesX;
-        private final long tiles;
+        private final Checkpoints checkpoints;
+        private final TileGrid grid;
+        private final SampleSchedule schedule;
         private final long samplesPerPixel;
         private final List<RayProcessor> created = new ArrayList<>();
         private final NonFiniteLog nonFinite = new NonFiniteLog();
+        private final long resumedSamples;
+        private final double resumedSeconds;
         private double preparedAt;
-
-        /** State of {@link #claim}. */
-        private long nextTile;
-
-        private long passStart;
-        private int passSize;
 
         /** State of {@link #commit}, read by {@link #watch}. */
         private final AtomicLong samples = new AtomicLong();
 
         private final AtomicLong passes = new AtomicLong();
         private volatile long finishedSamplesPerPixel;
+        private boolean passIsWhole = true;
+        private boolean cutShort;
+        private volatile boolean targetReached;
 
         Work(Scene scene, Camera camera, Film film, RenderContext context) {
             this.scene = scene;
@@ -109,94 +97,151 @@ public final class PixelwiseRenderer implements Renderer {
             this.film = film;
             this.context = context;
             clock = new RenderClock(context);
-            area = film.sampleArea();
-            tilesX = (area.width() + TILE_SIZE - 1) / TILE_SIZE;
-            tiles = (long) tilesX * ((area.height() + TILE_SIZE - 1) / TILE_SIZE);
+            checkpoints = new Checkpoints(context, clock);
+            grid = new TileGrid(film, context.part());
             samplesPerPixel =
                     context.antialiasing().samplesPerPixel(context.budget().samplesPerPixel());
-            progress =
-                    new ProgressReporter(context, clock, film, (double) samplesPerPixel * area.width() * area.height());
-            passSize = 1;
+            schedule = context.antialiasing()
+                    .allocation()
+                    .<SampleSchedule>map(this::adaptive)
+                    .orElseGet(this::uniform);
+            RenderState start = context.start();
+            if (start != null) {
+                film.restore(start.film());
+                schedule.restore(start);
+                nonFinite.addAll(start.nonFiniteSamples(), start.nonFiniteAddresses());
+                samples.set(start.samples());
+                finishedSamplesPerPixel = start.samplesPerPixel();
+                targetReached = start.complete();
+            }
+            resumedSamples = samples.get();
+            resumedSeconds = start == null ? 0 : start.seconds();
+            progress = new ProgressReporter(
+                    context, clock, film, (double) samplesPerPixel * grid.pixels(), resumedSamples);
+        }
+
+        private SampleSchedule uniform() {
+            return new UniformSchedule(grid, samplesPerPixel, context.seed(), this::affordableSamples);
+        }
+
+        private SampleSchedule adaptive(SampleAllocation allocation) {
+            if (!context.part().isWhole()) {
+                throw new ParameterException(
+                        "antialiasing '" + context.antialiasing().id()
+                                + "' cannot render parts: its numbers of samples depend on the whole image");
+            }
+            film.useSampleWeights();
+            return new AdaptiveSchedule(grid, film, allocation, samplesPerPixel, context.seed());
+        }
+
+        private int affordableSamples(long takenPerPixel) {
+            double left = clock.secondsLeft();
+            if (left == Double.POSITIVE_INFINITY) {
+                return Integer.MAX_VALUE;
+            }
+            double takenHere = (double) samples.get() - resumedSamples;
+            double secondsPerSample = (clock.seconds() - preparedAt) * grid.pixels() / Math.max(1, takenHere);
+            return (int) (left / secondsPerSample);
         }
 
         @Override
-        protected Unit newSlot() {
-            return new Unit(film.newTile());
+        protected TileUnit newSlot() {
+            return new TileUnit(film.newTile());
         }
 
         @Override
-        protected Worker<Unit> newWorker() {
+        protected Worker<TileUnit> newWorker() {
             RayProcessor processor = processors.create(scene, camera, film.needsFeatures());
             created.add(processor);
             preparedAt = clock.seconds();
-            return new TileWorker(
-                    processor,
-                    context.antialiasing().newSampler(context.seed(), samplesPerPixel),
-                    film,
-                    context,
-                    clock);
+            return new TileWorker(processor, samplesPerPixel, film, context, clock);
         }
 
         @Override
-        protected boolean claim(long number, Unit unit) {
-            if (clock.shouldStop()) {
+        protected boolean needsCommits() {
+            return schedule.needsCommits() && !clock.shouldStop();
+        }
+
+        @Override
+        protected boolean claim(long number, TileUnit unit) {
+            if (targetReached || schedule.isDone() || clock.shouldStop()) {
                 return false;
             }
-            if (nextTile == tiles) {
-                passStart += passSize;
-                if (passStart >= samplesPerPixel) {
-                    return false;
-                }
-                passSize = nextPassSize();
-                nextTile = 0;
-            }
-            int tx = (int) (nextTile % tilesX) * TILE_SIZE;
-            int ty = (int) (nextTile / tilesX) * TILE_SIZE;
-            unit.x = area.x() + tx;
-            unit.y = area.y() + ty;
-            unit.width = Math.min(TILE_SIZE, area.width() - tx);
-            unit.height = Math.min(TILE_SIZE, area.height() - ty);
-            unit.firstSample = passStart;
-            unit.samplesPerPixel = passSize;
-            nextTile++;
-            unit.endsPass = nextTile == tiles;
+            schedule.next(unit);
             return true;
         }
 
-        private int nextPassSize() {
-            long size = Math.min(Math.min(passStart, LARGEST_PASS), samplesPerPixel - passStart);
-            double left = clock.secondsLeft();
-            if (left < Double.POSITIVE_INFINITY) {
-                double secondsPerSample = (clock.seconds() - preparedAt) / passStart;
-                size = Math.max(1, Math.min(size, (long) (left / secondsPerSample)));
+        @Override
+        protected void commit(long number, TileUnit unit) {
+            if (targetReached) {
+                return;
             }
-            return (int) size;
+            boolean whole = unit.samples == unit.expected;
+            checkpoints.beforeCommit(whole, () -> state(schedule.position(unit), false));
+            if (unit.splats.size() > 0) {
+                checkSplats();
+            }
+            film.commit(unit.tile, unit.counted ? unit.tile.samples() : 0);
+            if (unit.counted) {
+                film.commit(unit.splats, unit.samples);
+                nonFinite.addAll(unit.nonFinite);
+                samples.addAndGet(unit.samples);
+            }
+            cutShort |= !whole;
+            passIsWhole &= whole;
+            if (unit.endsPass) {
+                if (passIsWhole) {
+                    finishedSamplesPerPixel = unit.samplesPerPixelThen;
+                    passes.incrementAndGet();
+                    checkTarget();
+                }
+                passIsWhole = true;
+            }
         }
 
-        @Override
-        protected void commit(long number, Unit unit) {
-            film.commit(unit.tile);
-            film.commit(unit.splats, unit.samples);
-            nonFinite.addAll(unit.nonFinite);
-            samples.addAndGet(unit.samples);
-            if (unit.endsPass && !clock.shouldStop()) {
-                passes.incrementAndGet();
-                finishedSamplesPerPixel = unit.firstSample + unit.samplesPerPixel;
+        private void checkSplats() {
+            if (!context.part().isWhole()) {
+                throw new ParameterException(
+                        "renderer '" + id + "' cannot render parts: what it finds belongs to other parts, too");
             }
+            if (context.antialiasing().allocation().isPresent()) {
+                throw new ParameterException("renderer '" + id + "' cannot be used with antialiasing '"
+                        + context.antialiasing().id()
+                        + "': what it finds in other pixels has their numbers of samples");
+            }
+        }
+
+        /** In order with the commits, and not when somebody looks: so it does not depend on how fast things go. */
+        private void checkTarget() {
+            double target = context.budget().targetError();
+            if (target > 0 && film.relativeError() < target) {
+                targetReached = true;
+                clock.stop();
+            }
+        }
+
+        private RenderState state(Map<String, long[]> position, boolean complete) {
+            return new RenderState(
+                    film.state(grid.regions()),
+                    position,
+                    samples.get(),
+                    finishedSamplesPerPixel,
+                    complete,
+                    nonFinite.count(),
+                    nonFinite.addresses(),
+                    resumedSeconds + clock.seconds());
         }
 
         @Override
         protected void watch() {
             progress.update(samples.get(), passes.get());
+            checkpoints.watch();
         }
 
         RenderReport report() {
-            boolean complete = samples.get() >= samplesPerPixel * area.width() * area.height();
-            if (complete && finishedSamplesPerPixel < samplesPerPixel) {
-                finishedSamplesPerPixel = samplesPerPixel;
-                passes.incrementAndGet();
-            }
+            boolean complete = targetReached || (schedule.isDone() && !cutShort);
             progress.finish(samples.get(), passes.get());
+            checkpoints.finish(() -> state(schedule.position(), complete));
             double seconds = clock.seconds();
             List<String> warnings = new ArrayList<>();
             if (finishedSamplesPerPixel == 0) {
@@ -206,6 +251,7 @@ public final class PixelwiseRenderer implements Renderer {
                     id,
                     !complete && Reports.cancelled(context),
                     samples.get(),
+                    resumedSamples,
                     finishedSamplesPerPixel,
                     Reports.phases(preparedAt, seconds),
                     Reports.raysByKind(created, RayProcessor::rays),
@@ -217,56 +263,99 @@ public final class PixelwiseRenderer implements Renderer {
     }
 
     /** Takes the samples of tiles. */
-    private static final class TileWorker implements OrderedWork.Worker<Unit> {
+    private static final class TileWorker implements OrderedWork.Worker<TileUnit> {
         private final RayProcessor processor;
-        private final Sampler sampler;
+        private final RenderContext context;
+        private final long samplesPerPixel;
         private final RenderClock clock;
-        private final long seed;
         private final int filmWidth;
+        private final FilmSettings.Crop area;
         private final boolean features;
         private final RaySample sample = new RaySample();
+        private final @Nullable FilterSampler filterSampler;
+        /** Film position and factor of a sample. */
+        private final double[] position = new double[3];
 
-        TileWorker(RayProcessor processor, Sampler sampler, Film film, RenderContext context, RenderClock clock) {
+        private Sampler sampler;
+        private long samplerSeed;
+        private int untilCheck;
+
+        TileWorker(RayProcessor processor, long samplesPerPixel, Film film, RenderContext context, RenderClock clock) {
             this.processor = processor;
-            this.sampler = sampler;
+            this.samplesPerPixel = samplesPerPixel;
+            this.context = context;
             this.clock = clock;
-            seed = context.seed();
+            samplerSeed = context.seed();
+            sampler = context.antialiasing().newSampler(samplerSeed, samplesPerPixel);
             filmWidth = film.settings().width();
+            area = film.sampleArea();
             features = film.needsFeatures();
+            filterSampler = film.settings().filterSampling() ? film.filterSampler() : null;
         }
 
         @Override
-        public void compute(long number, Unit unit) {
+        public void compute(long number, TileUnit unit) {
             unit.tile.begin(unit.x, unit.y, unit.width, unit.height);
             unit.splats.clear();
             unit.nonFinite.clear();
             unit.samples = 0;
-            int untilCheck = 1;
+            if (unit.seed != samplerSeed) {
+                samplerSeed = unit.seed;
+                sampler = context.antialiasing().newSampler(samplerSeed, samplesPerPixel);
+            }
+            int[] counts = unit.counts;
+            untilCheck = 1;
             for (int y = unit.y; y < unit.y + unit.height; y++) {
                 for (int x = unit.x; x < unit.x + unit.width; x++) {
-                    for (int i = 0; i < unit.samplesPerPixel; i++) {
-                        if (--untilCheck == 0) {
-                            if (clock.shouldStop()) {
-                                return;
-                            }
-                            untilCheck = SAMPLES_BETWEEN_CHECKS;
-                        }
-                        takeSample(unit, x, y, unit.firstSample + i);
+                    long from = unit.firstSample;
+                    long end = from + unit.samplesPerPixel;
+                    if (counts != null) {
+                        int count = counts[(y - area.y()) * area.width() + x - area.x()];
+                        from = AdaptiveSchedule.first(unit, count);
+                        end = AdaptiveSchedule.end(unit, count);
+                        unit.tile.setSampleWeight(unit.passWeight / count);
+                    }
+                    if (!takeSamples(unit, x, y, from, end)) {
+                        return;
                     }
                 }
             }
         }
 
-        private void takeSample(Unit unit, int x, int y, long index) {
+        /** Takes samples of a pixel; false if the render should stop. */
+        private boolean takeSamples(TileUnit unit, int x, int y, long from, long end) {
+            for (long i = from; i < end; i++) {
+                if (--untilCheck == 0) {
+                    if (clock.shouldStop()) {
+                        return false;
+                    }
+                    untilCheck = SAMPLES_BETWEEN_CHECKS;
+                }
+                takeSample(unit, x, y, i);
+            }
+            return true;
+        }
+
+        private void takeSample(TileUnit unit, int x, int y, long index) {
             sampler.start((long) y * filmWidth + x, index);
             double filmX = x + sampler.next();
             double filmY = y + sampler.next();
+            FilterSampler filter = filterSampler;
+            if (filter != null) {
+                filter.sample(x, y, filmX - x, filmY - y, position);
+                filmX = position[0];
+                filmY = position[1];
+            }
             boolean finite = processor.trace(filmX, filmY, sampler, sample, unit.splats);
-            finite &= features
-                    ? unit.tile.add(filmX, filmY, sample.radiance, sample.features)
-                    : unit.tile.add(filmX, filmY, sample.radiance);
+            if (filter != null) {
+                finite &= unit.tile.addToPixel(x, y, position[2], sample.radiance, features ? sample.features : null);
+            } else {
+                finite &= features
+                        ? unit.tile.add(filmX, filmY, sample.radiance, sample.features)
+                        : unit.tile.add(filmX, filmY, sample.radiance);
+            }
             if (!finite) {
-                unit.nonFinite.addSample(seed, x, y, index);
+                unit.nonFinite.addSample(unit.seed, x, y, index);
             }
             unit.samples++;
         }

@@ -28,9 +28,21 @@ final class ColdTraversal implements Intersector {
 
     @Override
     public boolean intersect(Ray ray) {
-        ray.primitive = -1;
-        ray.instance = -1;
-        ray.t = ray.tMax;
+        return traverse(ray, false);
+    }
+
+    @Override
+    public boolean occluded(Ray ray) {
+        return traverse(ray, true);
+    }
+
+    /** Finds the closest hit, or with {@code any} only whether there is one. */
+    private boolean traverse(Ray ray, boolean any) {
+        if (!any) {
+            ray.primitive = -1;
+            ray.instance = -1;
+            ray.t = ray.tMax;
+        }
         if (bvh.root() == WideBvh.EMPTY) {
             return false;
         }
@@ -47,9 +59,9 @@ final class ColdTraversal implements Intersector {
         float fx = p.farX;
         float fy = p.farY;
         float fz = p.farZ;
-        int nearX = ((Float.floatToRawIntBits(p.inverseX) >> 31) & (3 * w));
-        int nearY = w + ((Float.floatToRawIntBits(p.inverseY) >> 31) & (3 * w));
-        int nearZ = 2 * w + ((Float.floatToRawIntBits(p.inverseZ) >> 31) & (3 * w));
+        int nearX = p.nearPlanesX(w);
+        int nearY = p.nearPlanesY(w);
+        int nearZ = p.nearPlanesZ(w);
         int farX = 3 * w - nearX;
         int farY = 5 * w - nearY;
         int farZ = 7 * w - nearZ;
@@ -76,12 +88,7 @@ final class ColdTraversal implements Intersector {
                             Math.min(Float.floatToRawIntBits(Math.fma(d[at + farZ + lane], iz, fz)), best));
                     if (near <= far + PreparedRay.ULPS) {
                         long entry = (long) near << 32 | (Float.floatToRawIntBits(d[at + 6 * w + lane]) & REFERENCE);
-                        int slot = sp++;
-                        while (slot > bottom && stack[slot - 1] < entry) {
-                            stack[slot] = stack[slot - 1];
-                            slot--;
-                        }
-                        stack[slot] = entry;
+                        sp = WideBvh.insert(stack, bottom, sp, entry);
                     }
                 }
                 if (sp > bottom) {
@@ -93,11 +100,18 @@ final class ColdTraversal implements Intersector {
                 for (int lane = 0; lane < w; lane++) {
                     int t = triangle(block + lane, p);
                     if (t > 0 && t < best) {
+                        if (any) {
+                            return true;
+                        }
                         best = t;
                         bestBlock = block;
                         bestLane = lane;
                         found = true;
                     }
+                }
+            } else if (any) {
+                if (others.occluded(ray, ~reference >> 1, ray.tMax)) {
+                    return true;
                 }
             } else {
                 double tMax = bestLane >= 0 ? p.parameter(Float.intBitsToFloat(best)) : found ? ray.t : ray.tMax;
@@ -111,78 +125,13 @@ final class ColdTraversal implements Intersector {
             do {
                 if (sp == 0) {
                     if (bestLane >= 0) {
-                        ray.t = p.parameter(Float.intBitsToFloat(best));
-                        ray.primitive = bvh.number(bestBlock, bestLane);
-                        ray.instance = -1;
+                        bvh.report(ray, p, best, bestBlock, bestLane);
                     }
                     return found;
                 }
                 entry = stack[--sp];
                 reference = (int) entry;
             } while ((int) (entry >>> 32) > best);
-        }
-    }
-
-    @Override
-    public boolean occluded(Ray ray) {
-        if (bvh.root() == WideBvh.EMPTY) {
-            return false;
-        }
-        PreparedRay p = ray.prepare(bvh.scale());
-        float[] d = data;
-        int w = width;
-        long[] stack = ray.stack(bvh.stackSize());
-        float ix = p.inverseX;
-        float iy = p.inverseY;
-        float iz = p.inverseZ;
-        float nx = p.nearX;
-        float ny = p.nearY;
-        float nz = p.nearZ;
-        float fx = p.farX;
-        float fy = p.farY;
-        float fz = p.farZ;
-        int nearX = ((Float.floatToRawIntBits(p.inverseX) >> 31) & (3 * w));
-        int nearY = w + ((Float.floatToRawIntBits(p.inverseY) >> 31) & (3 * w));
-        int nearZ = 2 * w + ((Float.floatToRawIntBits(p.inverseZ) >> 31) & (3 * w));
-        int farX = 3 * w - nearX;
-        int farY = 5 * w - nearY;
-        int farZ = 7 * w - nearZ;
-        int best = Float.floatToRawIntBits(p.tMax);
-        int sp = 0;
-        int reference = bvh.root();
-        while (true) {
-            if (reference >= 0) {
-                int at = reference;
-                for (int lane = 0; lane < w; lane++) {
-                    int near = Math.max(
-                            Math.max(
-                                    Float.floatToRawIntBits(Math.fma(d[at + nearX + lane], ix, nx)),
-                                    Float.floatToRawIntBits(Math.fma(d[at + nearY + lane], iy, ny))),
-                            Math.max(Float.floatToRawIntBits(Math.fma(d[at + nearZ + lane], iz, nz)), 0));
-                    int far = Math.min(
-                            Math.min(
-                                    Float.floatToRawIntBits(Math.fma(d[at + farX + lane], ix, fx)),
-                                    Float.floatToRawIntBits(Math.fma(d[at + farY + lane], iy, fy))),
-                            Math.min(Float.floatToRawIntBits(Math.fma(d[at + farZ + lane], iz, fz)), best));
-                    if (near <= far + PreparedRay.ULPS) {
-                        stack[sp++] = Float.floatToRawIntBits(d[at + 6 * w + lane]);
-                    }
-                }
-            } else if ((reference & 1) != 0) {
-                int block = ~reference;
-                for (int lane = 0; lane < w; lane++) {
-                    int t = triangle(block + lane, p);
-                    if (t > 0 && t < best) {
-                        return true;
-                    }
-                }
-            } else if (others.occluded(ray, ~reference >> 1, ray.tMax)) {
-                return true;
-            }
-            if (sp == 0) {
-                return false;
-            }
-            reference = (int) stack[--sp];
         }
     }
 
@@ -205,6 +154,10 @@ final class ColdTraversal implements Intersector {
         float ea = cu * bv - cv * bu;
         float eb = au * cv - av * cu;
         float ec = bu * av - bv * au;
+        // Outside with or without the division; it is the dearest operation here.
+        if (Math.min(ea, Math.min(eb, ec)) < 0 && Math.max(ea, Math.max(eb, ec)) > 0) {
+            return -1;
+        }
         float inverse = 1 / (ea + eb + ec);
         float wa = Math.fma(ea, inverse, 0f);
         float wb = Math.fma(eb, inverse, 0f);

@@ -16,9 +16,11 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Traversal of a {@link WideBvh} with 512-bit vectors. Species must be constants of the kernel, so there is one class for
- * each width; this one and its sibling differ in that number alone, which a test checks.
+ * each width. The widest is written by hand; the build makes the other from it by replacing the number of bits
+ * (docs/decisions/0009).
  *
- * <p>A query is one method without calls that take or return vectors: those would box them. Distances are compared as
+ * <p>A query is one method without calls that take or return vectors: those would box them. It is the same method for both
+ * kinds of query: compiled once, it is fast earlier. Distances are compared as
  * int bits, which order like the floats as long as one side is not negative; the float minimum of Java costs five
  * instructions.
  */
@@ -62,22 +64,25 @@ final class Vector512Intersector implements Intersector {
 
     @Override
     public boolean intersect(Ray ray) {
-        return usesKernel() ? closest(ray) : cold.intersect(ray);
+        return usesKernel() ? traverse(ray, false) : cold.intersect(ray);
     }
 
     @Override
     public boolean occluded(Ray ray) {
-        return usesKernel() ? any(ray) : cold.occluded(ray);
+        return usesKernel() ? traverse(ray, true) : cold.occluded(ray);
     }
 
     private boolean usesKernel() {
         return warmUp == null || warmUp.isReady();
     }
 
-    private boolean closest(Ray ray) {
-        ray.primitive = -1;
-        ray.instance = -1;
-        ray.t = ray.tMax;
+    /** Finds the closest hit, or with {@code any} only whether there is one. */
+    private boolean traverse(Ray ray, boolean any) {
+        if (!any) {
+            ray.primitive = -1;
+            ray.instance = -1;
+            ray.t = ray.tMax;
+        }
         if (root == WideBvh.EMPTY) {
             return false;
         }
@@ -94,9 +99,9 @@ final class Vector512Intersector implements Intersector {
         FloatVector fx = FloatVector.broadcast(FLOATS, p.farX);
         FloatVector fy = FloatVector.broadcast(FLOATS, p.farY);
         FloatVector fz = FloatVector.broadcast(FLOATS, p.farZ);
-        int nearX = ((Float.floatToRawIntBits(p.inverseX) >> 31) & (3 * W));
-        int nearY = W + ((Float.floatToRawIntBits(p.inverseY) >> 31) & (3 * W));
-        int nearZ = 2 * W + ((Float.floatToRawIntBits(p.inverseZ) >> 31) & (3 * W));
+        int nearX = p.nearPlanesX(W);
+        int nearY = p.nearPlanesY(W);
+        int nearZ = p.nearPlanesZ(W);
         int farX = 3 * W - nearX;
         int farY = 5 * W - nearY;
         int farZ = 7 * W - nearZ;
@@ -141,6 +146,14 @@ final class Vector512Intersector implements Intersector {
                 long hits = near.compare(VectorOperators.LE, far).toLong();
                 if (hits != 0) {
                     int references = at + 6 * W;
+                    if (any) {
+                        do {
+                            stack[sp++] = Float.floatToRawIntBits(d[references + Long.numberOfTrailingZeros(hits)]);
+                            hits &= hits - 1;
+                        } while (hits != 0);
+                        reference = (int) stack[--sp];
+                        continue;
+                    }
                     int lane = Long.numberOfTrailingZeros(hits);
                     hits &= hits - 1;
                     reference = Float.floatToRawIntBits(d[references + lane]);
@@ -169,12 +182,7 @@ final class Vector512Intersector implements Intersector {
                         hits &= hits - 1;
                         long entry =
                                 (long) lanes[lane] << 32 | (Float.floatToRawIntBits(d[references + lane]) & REFERENCE);
-                        int slot = sp++;
-                        while (slot > bottom && stack[slot - 1] < entry) {
-                            stack[slot] = stack[slot - 1];
-                            slot--;
-                        }
-                        stack[slot] = entry;
+                        sp = WideBvh.insert(stack, bottom, sp, entry);
                     } while (hits != 0);
                     reference = (int) stack[--sp];
                     continue;
@@ -216,23 +224,32 @@ final class Vector512Intersector implements Intersector {
                 IntVector signs = wa.reinterpretAsInts()
                         .or(wb.reinterpretAsInts())
                         .or(wc.reinterpretAsInts())
-                        .or(t);
+                        .or(t)
+                        .or(t.sub(1));
+                // T must be positive: if it is zero, T − 1 has the sign bit.
                 VectorMask<Integer> inside = signs.compare(VectorOperators.GE, 0)
                         .and(t.compare(VectorOperators.LT, IntVector.broadcast(INTS, best)));
                 long hits = inside.toLong();
                 if (hits != 0) {
+                    if (any) {
+                        return true;
+                    }
                     t.intoArray(lanes, 0);
                     do {
                         int lane = Long.numberOfTrailingZeros(hits);
                         hits &= hits - 1;
                         int bits = lanes[lane];
-                        if (bits > 0 && bits < best) {
+                        if (bits < best) {
                             best = bits;
                             bestBlock = at;
                             bestLane = lane;
                             found = true;
                         }
                     } while (hits != 0);
+                }
+            } else if (any) {
+                if (others.occluded(ray, ~reference >> 1, ray.tMax)) {
+                    return true;
                 }
             } else {
                 double tMax = bestLane >= 0 ? p.parameter(Float.intBitsToFloat(best)) : found ? ray.t : ray.tMax;
@@ -246,132 +263,13 @@ final class Vector512Intersector implements Intersector {
             do {
                 if (sp == 0) {
                     if (bestLane >= 0) {
-                        ray.t = p.parameter(Float.intBitsToFloat(best));
-                        ray.primitive = bvh.number(bestBlock, bestLane);
-                        ray.instance = -1;
+                        bvh.report(ray, p, best, bestBlock, bestLane);
                     }
                     return found;
                 }
                 entry = stack[--sp];
                 reference = (int) entry;
             } while ((int) (entry >>> 32) > best);
-        }
-    }
-
-    private boolean any(Ray ray) {
-        if (root == WideBvh.EMPTY) {
-            return false;
-        }
-        PreparedRay p = ray.prepare(scale);
-        float[] d = data;
-        long[] stack = ray.stack(stackSize);
-        FloatVector ix = FloatVector.broadcast(FLOATS, p.inverseX);
-        FloatVector iy = FloatVector.broadcast(FLOATS, p.inverseY);
-        FloatVector iz = FloatVector.broadcast(FLOATS, p.inverseZ);
-        FloatVector nx = FloatVector.broadcast(FLOATS, p.nearX);
-        FloatVector ny = FloatVector.broadcast(FLOATS, p.nearY);
-        FloatVector nz = FloatVector.broadcast(FLOATS, p.nearZ);
-        FloatVector fx = FloatVector.broadcast(FLOATS, p.farX);
-        FloatVector fy = FloatVector.broadcast(FLOATS, p.farY);
-        FloatVector fz = FloatVector.broadcast(FLOATS, p.farZ);
-        int nearX = ((Float.floatToRawIntBits(p.inverseX) >> 31) & (3 * W));
-        int nearY = W + ((Float.floatToRawIntBits(p.inverseY) >> 31) & (3 * W));
-        int nearZ = 2 * W + ((Float.floatToRawIntBits(p.inverseZ) >> 31) & (3 * W));
-        int farX = 3 * W - nearX;
-        int farY = 5 * W - nearY;
-        int farZ = 7 * W - nearZ;
-        int axisU = W * p.axisU;
-        int axisV = W * p.axisV;
-        int axisW = W * p.axisW;
-        FloatVector ou = FloatVector.broadcast(FLOATS, p.originU);
-        FloatVector ov = FloatVector.broadcast(FLOATS, p.originV);
-        FloatVector ow = FloatVector.broadcast(FLOATS, p.originW);
-        FloatVector su = FloatVector.broadcast(FLOATS, -p.shearU);
-        FloatVector sv = FloatVector.broadcast(FLOATS, -p.shearV);
-        int best = Float.floatToRawIntBits(p.tMax);
-        int sp = 0;
-        int reference = root;
-        while (true) {
-            if (reference >= 0) {
-                int at = reference;
-                IntVector near = FloatVector.fromArray(FLOATS, d, at + nearX)
-                        .fma(ix, nx)
-                        .reinterpretAsInts()
-                        .max(FloatVector.fromArray(FLOATS, d, at + nearY)
-                                .fma(iy, ny)
-                                .reinterpretAsInts())
-                        .max(FloatVector.fromArray(FLOATS, d, at + nearZ)
-                                .fma(iz, nz)
-                                .reinterpretAsInts())
-                        .max(IntVector.zero(INTS));
-                IntVector far = FloatVector.fromArray(FLOATS, d, at + farX)
-                        .fma(ix, fx)
-                        .reinterpretAsInts()
-                        .min(FloatVector.fromArray(FLOATS, d, at + farY)
-                                .fma(iy, fy)
-                                .reinterpretAsInts())
-                        .min(FloatVector.fromArray(FLOATS, d, at + farZ)
-                                .fma(iz, fz)
-                                .reinterpretAsInts())
-                        .min(IntVector.broadcast(INTS, best))
-                        .add(IntVector.broadcast(INTS, PreparedRay.ULPS));
-                long hits = near.compare(VectorOperators.LE, far).toLong();
-                int references = at + 6 * W;
-                while (hits != 0) {
-                    int lane = Long.numberOfTrailingZeros(hits);
-                    hits &= hits - 1;
-                    stack[sp++] = Float.floatToRawIntBits(d[references + lane]);
-                }
-            } else if ((reference & 1) != 0) {
-                int at = ~reference;
-                FloatVector aw = FloatVector.fromArray(FLOATS, d, at + axisW).sub(ow);
-                FloatVector bw =
-                        FloatVector.fromArray(FLOATS, d, at + 3 * W + axisW).sub(ow);
-                FloatVector cw =
-                        FloatVector.fromArray(FLOATS, d, at + 6 * W + axisW).sub(ow);
-                FloatVector au =
-                        aw.fma(su, FloatVector.fromArray(FLOATS, d, at + axisU).sub(ou));
-                FloatVector av =
-                        aw.fma(sv, FloatVector.fromArray(FLOATS, d, at + axisV).sub(ov));
-                FloatVector bu = bw.fma(
-                        su, FloatVector.fromArray(FLOATS, d, at + 3 * W + axisU).sub(ou));
-                FloatVector bv = bw.fma(
-                        sv, FloatVector.fromArray(FLOATS, d, at + 3 * W + axisV).sub(ov));
-                FloatVector cu = cw.fma(
-                        su, FloatVector.fromArray(FLOATS, d, at + 6 * W + axisU).sub(ou));
-                FloatVector cv = cw.fma(
-                        sv, FloatVector.fromArray(FLOATS, d, at + 6 * W + axisV).sub(ov));
-                FloatVector ea = cu.mul(bv).sub(cv.mul(bu));
-                FloatVector eb = au.mul(cv).sub(av.mul(cu));
-                FloatVector ec = bu.mul(av).sub(bv.mul(au));
-                FloatVector zero = FloatVector.zero(FLOATS);
-                FloatVector inverse =
-                        FloatVector.broadcast(FLOATS, 1).div(ea.add(eb).add(ec));
-                FloatVector wa = ea.fma(inverse, zero);
-                FloatVector wb = eb.fma(inverse, zero);
-                FloatVector wc = ec.fma(inverse, zero);
-                IntVector t = wa.mul(aw)
-                        .add(wb.mul(bw))
-                        .add(wc.mul(cw))
-                        .mul(FloatVector.broadcast(FLOATS, p.inverseW))
-                        .reinterpretAsInts();
-                IntVector signs = wa.reinterpretAsInts()
-                        .or(wb.reinterpretAsInts())
-                        .or(wc.reinterpretAsInts())
-                        .or(t)
-                        .or(t.sub(1));
-                VectorMask<Integer> inside = signs.compare(VectorOperators.GE, 0)
-                        .and(t.compare(VectorOperators.LT, IntVector.broadcast(INTS, best)));
-                if (inside.anyTrue()) {
-                    return true;
-                }
-            } else if (others.occluded(ray, ~reference >> 1, ray.tMax)) {
-                return true;
-            }
-            if (sp == 0) {
-                return false;
-            }
-            reference = (int) stack[--sp];
         }
     }
 

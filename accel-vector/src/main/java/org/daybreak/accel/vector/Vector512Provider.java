@@ -34,20 +34,25 @@ public final class Vector512Provider implements IntersectorProvider {
 
     @Override
     public Intersector build(PrimitiveSet primitives, int threads) {
-        return Vector512Intersector.build(primitives, threads, warmUp());
+        return Vector512Intersector.build(primitives, threads, started());
+    }
+
+    @Override
+    public void warmUp() {
+        started();
     }
 
     @Override
     public boolean awaitFullSpeed(long milliseconds) throws InterruptedException {
-        return warmUp().await(milliseconds);
+        return started().await(milliseconds);
     }
 
-    private synchronized WarmUp warmUp() {
-        WarmUp started = warmUp;
-        if (started == null) {
-            started = Vector512Intersector.warmUp();
-            warmUp = started;
+    private synchronized WarmUp started() {
+        WarmUp current = warmUp;
+        if (current == null) {
+            current = Vector512Intersector.warmUp();
+            warmUp = current;
         }
-        return started;
+        return current;
     }
 }

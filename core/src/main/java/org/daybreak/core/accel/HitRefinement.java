@@ -42,6 +42,9 @@ public final class HitRefinement {
     /** Farthest that a hit is kept off an edge, as a barycentric coordinate. */
     private static final double MOST_INSET = 1.0 / 16;
 
+    /** Points of a disk this far from its centre, and of a cylinder up to this height, are clear of the edge. */
+    private static final double CLEAR_RADIUS = 1 - MOST_INSET;
+
     /** Barycentric coordinates of the second and third vertex; for quadrics undefined. */
     public double u, v;
 
@@ -140,8 +143,15 @@ public final class HitRefinement {
         double extent = Math.abs(e1x) + Math.abs(e1y) + Math.abs(e1z) + Math.abs(e2x) + Math.abs(e2y) + Math.abs(e2z);
         double magnitude = Math.abs(ax) + Math.abs(ay) + Math.abs(az) + extent;
         double bound = FLOAT_EPSILON * (POSITION_FACTOR * magnitude + EXTENT_FACTOR * extent);
-        double inset = INSET_FACTOR * bound * extent * inverseDoubleArea * slide(normalX, normalY, normalZ);
-        setInside(second, third, Math.min(MOST_INSET, inset));
+        double inset = Math.min(MOST_INSET, INSET_FACTOR * bound * extent * inverseDoubleArea);
+        // In an instance the inset is longer; nearly all hits are farther from the edges than it can be.
+        double clear = within == null ? inset : MOST_INSET;
+        if (second >= clear && third >= clear && 1 - second - third >= clear) {
+            u = second;
+            v = third;
+        } else {
+            setInside(second, third, Math.min(MOST_INSET, inset * slide(normalX, normalY, normalZ)));
+        }
         x = ax + u * e1x + v * e2x;
         y = ay + u * e1y + v * e2y;
         z = az + u * e1z + v * e2z;
@@ -170,8 +180,9 @@ public final class HitRefinement {
         double r = Math.max(inset, third);
         double sum = first + s + r;
         if (sum < Double.POSITIVE_INFINITY) {
-            u = s / sum;
-            v = r / sum;
+            double inverse = 1 / sum;
+            u = s * inverse;
+            v = r * inverse;
         } else {
             u = 1.0 / 3;
             v = 1.0 / 3;
@@ -188,18 +199,7 @@ public final class HitRefinement {
         double px = ray.ox + ray.t * ray.dx;
         double py = ray.oy + ray.t * ray.dy;
         double pz = ray.oz + ray.t * ray.dz;
-        objectX = row(quadric, 0, px, py, pz);
-        objectY = row(quadric, 4, px, py, pz);
-        objectZ = row(quadric, 8, px, py, pz);
-        double rounding = 1;
-        for (int i = 0; i < 12; i += 4) {
-            rounding = Math.max(
-                    rounding,
-                    Math.abs(quadric.worldToObject(i) * px)
-                            + Math.abs(quadric.worldToObject(i + 1) * py)
-                            + Math.abs(quadric.worldToObject(i + 2) * pz)
-                            + Math.abs(quadric.worldToObject(i + 3)));
-        }
+        double rounding = Math.max(1, toObject(quadric, px, py, pz));
         double inset = DOUBLE_EPSILON * rounding;
         double nx;
         double ny;
@@ -215,10 +215,13 @@ public final class HitRefinement {
                 nz = objectZ;
             }
             case DISK -> {
-                double edge = edgeInset(quadric, inset, 0, 0, 1);
-                double scale = Math.min(1, (1 - edge) / Math.sqrt(objectX * objectX + objectY * objectY));
-                objectX *= scale;
-                objectY *= scale;
+                double square = objectX * objectX + objectY * objectY;
+                if (!(square <= CLEAR_RADIUS * CLEAR_RADIUS)) {
+                    double edge = edgeInset(quadric, inset, 0, 0, 1);
+                    double scale = Math.min(1, (1 - edge) / Math.sqrt(square));
+                    objectX *= scale;
+                    objectY *= scale;
+                }
                 objectZ = 0;
                 nx = 0;
                 ny = 0;
@@ -228,11 +231,24 @@ public final class HitRefinement {
                 double scale = 1 / Math.sqrt(objectX * objectX + objectY * objectY);
                 objectX *= scale;
                 objectY *= scale;
-                double edge = edgeInset(quadric, inset, objectX, objectY, 0);
-                objectZ = Math.min(1 - edge, Math.max(edge, objectZ));
+                if (!(objectZ >= MOST_INSET && objectZ <= CLEAR_RADIUS)) {
+                    double edge = edgeInset(quadric, inset, objectX, objectY, 0);
+                    objectZ = Math.min(1 - edge, Math.max(edge, objectZ));
+                }
                 nx = objectX;
                 ny = objectY;
                 nz = 0;
+            }
+            case CONE -> {
+                double length = Math.sqrt(objectX * objectX + objectY * objectY);
+                nx = length > 0 ? objectX / length : 1;
+                ny = length > 0 ? objectY / length : 0;
+                nz = quadric.taper();
+                double edge = edgeInset(quadric, inset, nx, ny, nz);
+                objectZ = Math.min(1 - edge, Math.max(edge, objectZ));
+                double radius = 1 - nz * objectZ;
+                objectX = radius * nx;
+                objectY = radius * ny;
             }
             default -> throw new IllegalStateException("unknown kind: " + quadric.kind());
         }
@@ -242,11 +258,11 @@ public final class HitRefinement {
         double wx = quadric.worldToObject(0) * nx + quadric.worldToObject(4) * ny + quadric.worldToObject(8) * nz;
         double wy = quadric.worldToObject(1) * nx + quadric.worldToObject(5) * ny + quadric.worldToObject(9) * nz;
         double wz = quadric.worldToObject(2) * nx + quadric.worldToObject(6) * ny + quadric.worldToObject(10) * nz;
-        double length = Math.sqrt(wx * wx + wy * wy + wz * wz);
-        normalX = wx / length;
-        normalY = wy / length;
-        normalZ = wz / length;
-        offset = inset / length;
+        double scale = 1 / Math.sqrt(wx * wx + wy * wy + wz * wz);
+        normalX = wx * scale;
+        normalY = wy * scale;
+        normalZ = wz * scale;
+        offset = inset * scale;
     }
 
     /** How far to keep off the edge of a quadric, for the reasons that hold for triangles. */
@@ -263,11 +279,28 @@ public final class HitRefinement {
         return Math.min(MOST_INSET, INSET_FACTOR * inset * slide * slide(wx / length, wy / length, wz / length));
     }
 
-    private static double row(Quadric q, int at, double px, double py, double pz) {
-        return q.worldToObject(at) * px
-                + q.worldToObject(at + 1) * py
-                + q.worldToObject(at + 2) * pz
-                + q.worldToObject(at + 3);
+    /** Sets the point in object space. Returns the largest sum of magnitudes that one of its coordinates came from. */
+    private double toObject(Quadric q, double px, double py, double pz) {
+        double xx = q.worldToObject(0) * px;
+        double xy = q.worldToObject(1) * py;
+        double xz = q.worldToObject(2) * pz;
+        double xw = q.worldToObject(3);
+        double yx = q.worldToObject(4) * px;
+        double yy = q.worldToObject(5) * py;
+        double yz = q.worldToObject(6) * pz;
+        double yw = q.worldToObject(7);
+        double zx = q.worldToObject(8) * px;
+        double zy = q.worldToObject(9) * py;
+        double zz = q.worldToObject(10) * pz;
+        double zw = q.worldToObject(11);
+        objectX = xx + xy + xz + xw;
+        objectY = yx + yy + yz + yw;
+        objectZ = zx + zy + zz + zw;
+        return Math.max(
+                Math.abs(xx) + Math.abs(xy) + Math.abs(xz) + Math.abs(xw),
+                Math.max(
+                        Math.abs(yx) + Math.abs(yy) + Math.abs(yz) + Math.abs(yw),
+                        Math.abs(zx) + Math.abs(zy) + Math.abs(zz) + Math.abs(zw)));
     }
 
     private double place(Quadric q, int at) {
@@ -287,11 +320,11 @@ public final class HitRefinement {
         double nx = i.worldToObject(0) * normalX + i.worldToObject(4) * normalY + i.worldToObject(8) * normalZ;
         double ny = i.worldToObject(1) * normalX + i.worldToObject(5) * normalY + i.worldToObject(9) * normalZ;
         double nz = i.worldToObject(2) * normalX + i.worldToObject(6) * normalY + i.worldToObject(10) * normalZ;
-        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        normalX = nx / length;
-        normalY = ny / length;
-        normalZ = nz / length;
+        double scale = 1 / Math.sqrt(nx * nx + ny * ny + nz * nz);
+        normalX = nx * scale;
+        normalY = ny * scale;
+        normalZ = nz * scale;
         double magnitude = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
-        offset = offset / length + WORLD_EPSILON * magnitude;
+        offset = offset * scale + WORLD_EPSILON * magnitude;
     }
 }

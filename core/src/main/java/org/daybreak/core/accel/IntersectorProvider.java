@@ -30,8 +30,14 @@ public interface IntersectorProvider {
     Intersector build(PrimitiveSet primitives, int threads);
 
     /**
+     * Starts, in the background, whatever makes the intersectors of this provider fast. {@link #build} does so too; who
+     * knows early that there will be something to build gains the time until then.
+     */
+    default void warmUp() {}
+
+    /**
      * Waits until the intersectors of this provider run at full speed. They work from the start; only measurements need
-     * this. The clock starts with the first {@link #build}.
+     * this. The clock starts with {@link #warmUp} or the first {@link #build}.
      *
      * @param milliseconds how long to wait at most
      * @return false if they are still warming up, or turned out slow here and use a slower way for good

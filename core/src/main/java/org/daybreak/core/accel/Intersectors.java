@@ -47,6 +47,13 @@ public final class Intersectors {
         return Chosen.BEST;
     }
 
+    /** Chooses the best provider and warms it up in the background: call it before a scene is read. */
+    public static void warmUp() {
+        Thread thread = new Thread(() -> select().provider().warmUp(), "intersector-choice");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
     /**
      * The provider of the given id.
      *

@@ -157,6 +157,31 @@ public final class PreparedRay {
         return (float) (parameter * fromParameter - start);
     }
 
+    /**
+     * Where, in a node of {@link WideBvh}, the planes x = b begin that the ray meets first. Those that it meets last begin
+     * at {@code 3 * width} less that.
+     *
+     * @param width number of children
+     */
+    public int nearPlanesX(int width) {
+        return planes(inverseX, width);
+    }
+
+    /** The same for the planes y = b; those that the ray meets last begin at {@code 5 * width} less that. */
+    public int nearPlanesY(int width) {
+        return width + planes(inverseY, width);
+    }
+
+    /** The same for the planes z = b; those that the ray meets last begin at {@code 7 * width} less that. */
+    public int nearPlanesZ(int width) {
+        return 2 * width + planes(inverseZ, width);
+    }
+
+    /** Zero if the direction is positive, else how far the maxima lie behind the minima. */
+    private static int planes(float inverse, int width) {
+        return (Float.floatToRawIntBits(inverse) >> 31) & (3 * width);
+    }
+
     private static float reciprocal(float d) {
         return Math.abs(d) < LEAST_DIRECTION ? Math.copySign(1 / LEAST_DIRECTION, d) : 1 / d;
     }

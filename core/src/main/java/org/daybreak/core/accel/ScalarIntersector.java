@@ -35,9 +35,21 @@ final class ScalarIntersector implements Intersector {
 
     @Override
     public boolean intersect(Ray ray) {
-        ray.primitive = -1;
-        ray.instance = -1;
-        ray.t = ray.tMax;
+        return traverse(ray, false);
+    }
+
+    @Override
+    public boolean occluded(Ray ray) {
+        return traverse(ray, true);
+    }
+
+    /** Finds the closest hit, or with {@code any} only whether there is one. */
+    private boolean traverse(Ray ray, boolean any) {
+        if (!any) {
+            ray.primitive = -1;
+            ray.instance = -1;
+            ray.t = ray.tMax;
+        }
         if (root == WideBvh.EMPTY) {
             return false;
         }
@@ -53,9 +65,9 @@ final class ScalarIntersector implements Intersector {
         float fx = p.farX;
         float fy = p.farY;
         float fz = p.farZ;
-        int nearX = ((Float.floatToRawIntBits(p.inverseX) >> 31) & (3 * W));
-        int nearY = W + ((Float.floatToRawIntBits(p.inverseY) >> 31) & (3 * W));
-        int nearZ = 2 * W + ((Float.floatToRawIntBits(p.inverseZ) >> 31) & (3 * W));
+        int nearX = p.nearPlanesX(W);
+        int nearY = p.nearPlanesY(W);
+        int nearZ = p.nearPlanesZ(W);
         int farX = 3 * W - nearX;
         int farY = 5 * W - nearY;
         int farZ = 7 * W - nearZ;
@@ -82,12 +94,7 @@ final class ScalarIntersector implements Intersector {
                             Math.min(Float.floatToRawIntBits(d[at + farZ + lane] * iz + fz), best));
                     if (near <= far + PreparedRay.ULPS) {
                         long entry = (long) near << 32 | (Float.floatToRawIntBits(d[at + 6 * W + lane]) & REFERENCE);
-                        int slot = sp++;
-                        while (slot > bottom && stack[slot - 1] < entry) {
-                            stack[slot] = stack[slot - 1];
-                            slot--;
-                        }
-                        stack[slot] = entry;
+                        sp = WideBvh.insert(stack, bottom, sp, entry);
                     }
                 }
                 if (sp > bottom) {
@@ -100,11 +107,18 @@ final class ScalarIntersector implements Intersector {
                 for (int lane = 0; lane < lanes; lane++) {
                     int t = triangle(d, block + lane, p);
                     if (t > 0 && t < best) {
+                        if (any) {
+                            return true;
+                        }
                         best = t;
                         bestBlock = block;
                         bestLane = lane;
                         found = true;
                     }
+                }
+            } else if (any) {
+                if (others.occluded(ray, ~reference >> 1, ray.tMax)) {
+                    return true;
                 }
             } else {
                 double tMax = bestLane >= 0 ? p.parameter(Float.intBitsToFloat(best)) : found ? ray.t : ray.tMax;
@@ -118,78 +132,13 @@ final class ScalarIntersector implements Intersector {
             do {
                 if (sp == 0) {
                     if (bestLane >= 0) {
-                        ray.t = p.parameter(Float.intBitsToFloat(best));
-                        ray.primitive = bvh.number(bestBlock, bestLane);
-                        ray.instance = -1;
+                        bvh.report(ray, p, best, bestBlock, bestLane);
                     }
                     return found;
                 }
                 entry = stack[--sp];
                 reference = (int) entry;
             } while ((int) (entry >>> 32) > best);
-        }
-    }
-
-    @Override
-    public boolean occluded(Ray ray) {
-        if (root == WideBvh.EMPTY) {
-            return false;
-        }
-        PreparedRay p = ray.prepare(scale);
-        float[] d = data;
-        long[] stack = ray.stack(stackSize);
-        float ix = p.inverseX;
-        float iy = p.inverseY;
-        float iz = p.inverseZ;
-        float nx = p.nearX;
-        float ny = p.nearY;
-        float nz = p.nearZ;
-        float fx = p.farX;
-        float fy = p.farY;
-        float fz = p.farZ;
-        int nearX = ((Float.floatToRawIntBits(p.inverseX) >> 31) & (3 * W));
-        int nearY = W + ((Float.floatToRawIntBits(p.inverseY) >> 31) & (3 * W));
-        int nearZ = 2 * W + ((Float.floatToRawIntBits(p.inverseZ) >> 31) & (3 * W));
-        int farX = 3 * W - nearX;
-        int farY = 5 * W - nearY;
-        int farZ = 7 * W - nearZ;
-        int best = Float.floatToRawIntBits(p.tMax);
-        int sp = 0;
-        int reference = root;
-        while (true) {
-            if (reference >= 0) {
-                int at = reference;
-                for (int lane = 0; lane < W; lane++) {
-                    int near = Math.max(
-                            Math.max(
-                                    Float.floatToRawIntBits(d[at + nearX + lane] * ix + nx),
-                                    Float.floatToRawIntBits(d[at + nearY + lane] * iy + ny)),
-                            Math.max(Float.floatToRawIntBits(d[at + nearZ + lane] * iz + nz), 0));
-                    int far = Math.min(
-                            Math.min(
-                                    Float.floatToRawIntBits(d[at + farX + lane] * ix + fx),
-                                    Float.floatToRawIntBits(d[at + farY + lane] * iy + fy)),
-                            Math.min(Float.floatToRawIntBits(d[at + farZ + lane] * iz + fz), best));
-                    if (near <= far + PreparedRay.ULPS) {
-                        stack[sp++] = Float.floatToRawIntBits(d[at + 6 * W + lane]);
-                    }
-                }
-            } else if ((reference & 1) != 0) {
-                int block = ~reference;
-                int lanes = bvh.laneCount(block);
-                for (int lane = 0; lane < lanes; lane++) {
-                    int t = triangle(d, block + lane, p);
-                    if (t > 0 && t < best) {
-                        return true;
-                    }
-                }
-            } else if (others.occluded(ray, ~reference >> 1, ray.tMax)) {
-                return true;
-            }
-            if (sp == 0) {
-                return false;
-            }
-            reference = (int) stack[--sp];
         }
     }
 

@@ -217,13 +217,8 @@ public final class WideBvh {
         return (block - blockStart) / 9;
     }
 
-    /**
-     * Number of a triangle in the set.
-     *
-     * @param block offset of its block
-     * @param lane where in the block it is
-     */
-    public int number(int block, int lane) {
+    /** Number in the set of the triangle in a lane of a block. */
+    int number(int block, int lane) {
         return numbers[triangle(block) + lane];
     }
 
@@ -250,6 +245,36 @@ public final class WideBvh {
     /** Number of entries that the traversal stack must hold: all but one child on each level. */
     public int stackSize() {
         return (width - 1) * depth + 1;
+    }
+
+    /**
+     * Inserts an entry into a traversal stack so that the nearest child of a node is on top. An entry has the distance's int
+     * bits above the reference.
+     *
+     * @param bottom where the entries of this node begin
+     * @param end where the stack ends
+     * @return the new end
+     */
+    public static int insert(long[] stack, int bottom, int end, long entry) {
+        int slot = end;
+        while (slot > bottom && stack[slot - 1] < entry) {
+            stack[slot] = stack[slot - 1];
+            slot--;
+        }
+        stack[slot] = entry;
+        return end + 1;
+    }
+
+    /**
+     * Writes a hit with a triangle to the result fields of a ray.
+     *
+     * @param p the ray as it was prepared
+     * @param bits int bits of the distance T
+     */
+    public void report(Ray ray, PreparedRay p, int bits, int block, int lane) {
+        ray.t = p.parameter(Float.intBitsToFloat(bits));
+        ray.primitive = number(block, lane);
+        ray.instance = -1;
     }
 
     /** Factor by which coordinates were multiplied; a power of two. */

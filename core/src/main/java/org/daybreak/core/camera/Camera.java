@@ -41,4 +41,12 @@ public interface Camera {
 
     /** True if the lens has an area, so that paths can hit it and lens samples have a density. */
     boolean hasLensArea();
+
+    /**
+     * True if each film position sees along the same direction (orthographic): it is a single one, so light from infinity
+     * can only be found from the film, and {@link #rayDensity} knows no density of it.
+     */
+    default boolean isParallel() {
+        return false;
+    }
 }

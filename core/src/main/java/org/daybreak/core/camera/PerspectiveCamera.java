@@ -8,9 +8,9 @@ import org.daybreak.core.sampling.Warps;
  * A perspective camera with a pinhole or a thin lens. In camera coordinates it looks along +z, +y is up, and +x points to the
  * left of the image.
  *
- * <p>A film position is a point (x, y, 1) of the plane at distance 1. With P square pixels per unit of area of that plane and
+ * <p>A film position is a point (x, y, 1) of the plane at distance 1. With P pixels per unit of area of that plane and
  * the camera-to-world matrix M, a unit direction of the world that comes from (x, y, 1) is seen by
- * P·|M(x, y, 1)|³/|det M| square pixels per steradian; without shear and scale, that is P/cos³θ. The map of plane points
+ * P·|M(x, y, 1)|³/|det M| pixels per steradian; without shear and scale, that is P/cos³θ. The map of plane points
  * to film positions is the same for every point of a thin lens.
  *
  * <p>A uniform scale in the transform is without effect: aperture radius and focus distance are in world units. Unequal scales
@@ -22,8 +22,12 @@ public final class PerspectiveCamera implements Camera {
 
     private final int width;
     private final int height;
-    private final double tanX;
-    private final double tanY;
+    /** Film position of the axis. */
+    private final double middleX;
+
+    private final double middleY;
+    private final double pixelsPerX;
+    private final double pixelsPerY;
     private final double pixelsPerArea;
     private final double apertureRadius;
     private final double focusDistance;
@@ -62,9 +66,50 @@ public final class PerspectiveCamera implements Camera {
             int height,
             double apertureRadius,
             double focusDistance) {
+        this(
+                cameraToWorld,
+                tanHalfWidth,
+                tanHalfWidth * height / width,
+                width,
+                height,
+                apertureRadius,
+                focusDistance,
+                0,
+                0);
+    }
+
+    /**
+     * Creates a camera whose pixels need not be square and whose axis need not meet the middle of the film.
+     *
+     * @param cameraToWorld affine map; mirroring is allowed
+     * @param tanHalfWidth tangent of half the opening angle across the image width, positive
+     * @param tanHalfHeight the same across the height
+     * @param width film width in pixels
+     * @param height film height in pixels
+     * @param apertureRadius radius of the lens in world units; 0 for a pinhole
+     * @param focusDistance distance of the plane of focus along the viewing direction in world units; not used by a pinhole
+     * @param shiftX how far to the right the film is shifted, in film widths: what was seen at film position
+     *     {@code x + shiftX·width} is seen at x
+     * @param shiftY how far down the film is shifted, in film heights
+     * @throws IllegalArgumentException if a number is out of range
+     */
+    public PerspectiveCamera(
+            Transform cameraToWorld,
+            double tanHalfWidth,
+            double tanHalfHeight,
+            int width,
+            int height,
+            double apertureRadius,
+            double focusDistance,
+            double shiftX,
+            double shiftY) {
         requirePositive("the tangent of half the opening angle", tanHalfWidth);
+        if (!Double.isFinite(shiftX) || !Double.isFinite(shiftY)) {
+            throw new IllegalArgumentException("the shift of the film must be finite but is " + shiftX + ", " + shiftY);
+        }
         requirePositive("the film width", width);
         requirePositive("the film height", height);
+        requirePositive("the tangent of half the opening angle across the height", tanHalfHeight);
         if (!(apertureRadius >= 0 && apertureRadius < Double.POSITIVE_INFINITY)) {
             throw new IllegalArgumentException("the aperture radius must not be negative but is " + apertureRadius);
         }
@@ -75,10 +120,11 @@ public final class PerspectiveCamera implements Camera {
         this.height = height;
         this.apertureRadius = apertureRadius;
         this.focusDistance = apertureRadius > 0 ? focusDistance : 1;
-        tanX = tanHalfWidth;
-        tanY = tanHalfWidth * height / width;
-        double pixelsPerUnit = width / (2 * tanHalfWidth);
-        pixelsPerArea = pixelsPerUnit * pixelsPerUnit;
+        middleX = (0.5 - shiftX) * width;
+        middleY = (0.5 - shiftY) * height;
+        pixelsPerX = width / (2 * tanHalfWidth);
+        pixelsPerY = height / (2 * tanHalfHeight);
+        pixelsPerArea = pixelsPerX * pixelsPerY;
         double[] m = cameraToWorld.rows();
         double[] r = cameraToWorld.inverse().rows();
         originX = m[3];
@@ -137,8 +183,8 @@ public final class PerspectiveCamera implements Camera {
 
     @Override
     public boolean sampleRay(double filmX, double filmY, double u, double v, CameraRay out) {
-        double x = tanX * (1 - 2 * filmX / width);
-        double y = tanY * (1 - 2 * filmY / height);
+        double x = (middleX - filmX) / pixelsPerX;
+        double y = (middleY - filmY) / pixelsPerY;
         double lensX = 0;
         double lensY = 0;
         if (apertureRadius > 0) {
@@ -260,11 +306,11 @@ public final class PerspectiveCamera implements Camera {
     }
 
     private double filmX(double x) {
-        return 0.5 * width * (1 - x / tanX);
+        return middleX - pixelsPerX * x;
     }
 
     private double filmY(double y) {
-        return 0.5 * height * (1 - y / tanY);
+        return middleY - pixelsPerY * y;
     }
 
     private boolean onFilm(double filmX, double filmY) {

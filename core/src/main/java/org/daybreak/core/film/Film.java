@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.daybreak.core.color.Spectrum;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Accumulates an image in linear RGB and double precision. Thread-safe; the sums depend on the order of commits, so
@@ -17,8 +16,11 @@ import org.jspecify.annotations.Nullable;
  * to the edges for every filter. Samples are taken in the crop and, so that a crop equals that part of the whole image, in
  * a border around it as wide as the filter reaches, cut off at the edges of the film ({@link #sampleArea()}).
  *
- * <p><b>Splats.</b> They are kept apart: Σ w·splat, where w is the filter scaled to integrate to 1 over the film, times
- * {@link #setSplatScale a scale} over the number of subpaths that were traced. Near the edges of the film both kinds
+ * <p>With {@linkplain FilmSettings#filterSampling() filter sampling} a pixel is the plain mean of its own samples, drawn in
+ * proportion to |w| and multiplied by a sign and factor ({@link FilterSampler}); there is no border.
+ *
+ * <p><b>Splats.</b> They are kept apart, in lanes ({@link #closeSplatLane}): Σ w·splat, where w is the filter scaled to
+ * integrate to 1 over the film, times {@link #setSplatScale a scale} over the number of subpaths that were traced. Near the edges of the film both kinds
  * estimate the same mean: that over the part of the filter that lies on the film.
  *
  * <p><b>Variance.</b> Second moments give the variance of each pixel's value as if samples were independent:
@@ -28,18 +30,12 @@ import org.jspecify.annotations.Nullable;
 public final class Film {
     private final FilmSettings settings;
     private final Set<FilmLayer> layers;
-    private final FilmLayout layout;
     private final FilterKernel kernel;
-    private final double[] sums;
-    /** Red, green and blue of the splats, their squared luminance, and with the variance layer the squares per channel. */
-    private double @Nullable [] splatSums;
-
-    private final int splatStride;
-    private double splatScale = 1;
-    private long splatPaths;
+    private FilmLayout layout;
+    private double[] sums;
+    private final FilmSplats splats;
+    private boolean weighted;
     private long samples;
-    private final double[] weightsX;
-    private final double[] weightsY;
 
     /** Creates an empty film without auxiliary images. */
     public Film(FilmSettings settings) {
@@ -56,19 +52,37 @@ public final class Film {
         this.settings = settings;
         this.layers = Collections.unmodifiableSet(
                 layers.isEmpty() ? EnumSet.noneOf(FilmLayer.class) : EnumSet.copyOf(layers));
-        this.layout = new FilmLayout(settings.filter(), this.layers);
+        this.layout = new FilmLayout(settings, this.layers, false);
         this.kernel = new FilterKernel(settings.filter());
-        this.splatStride = layout.variance ? 7 : 4;
+        this.splats = new FilmSplats(
+                settings, kernel, FilmLayout.isUnitBox(settings.filter()), FilmState.splatStride(this.layers));
+        sums = newSums(layout);
+    }
+
+    private double[] newSums(FilmLayout forLayout) {
         long pixels = (long) settings.crop().width() * settings.crop().height();
-        if (pixels * Math.max(layout.stride, splatStride) > Integer.MAX_VALUE - 8) {
+        if (pixels * Math.max(forLayout.stride, FilmState.splatStride(layers)) > Integer.MAX_VALUE - 8) {
             throw new IllegalArgumentException("an image of " + settings.crop().width() + "x"
                     + settings.crop().height()
                     + " pixels is too large to be rendered in one piece; render crops of it");
         }
-        sums = new double[(int) pixels * layout.stride];
-        int reach = 2 * FilterKernel.border(settings.filter()) + 2;
-        weightsX = new double[reach];
-        weightsY = new double[reach];
+        return new double[(int) pixels * forLayout.stride];
+    }
+
+    /**
+     * From now on samples may have weights of their own ({@link FilmTile#setSampleWeight}), for methods that take more
+     * samples in some pixels than in others. Must be called before the first tile is made.
+     *
+     * @throws IllegalStateException if the film has samples
+     * @throws IllegalArgumentException if so large an image does not fit into an array then
+     */
+    public synchronized void useSampleWeights() {
+        if (samples > 0) {
+            throw new IllegalStateException("the film has samples already");
+        }
+        layout = new FilmLayout(settings, layers, true);
+        weighted = true;
+        sums = newSums(layout);
     }
 
     /** Size, crop and filter. */
@@ -82,14 +96,19 @@ public final class Film {
     }
 
     /** True if samples must be added with their features. */
-    public boolean needsFeatures() {
+    public synchronized boolean needsFeatures() {
         return layout.features;
+    }
+
+    /** How many pixels beyond its own a sample can reach. */
+    public int filterBorder() {
+        return settings.filterSampling() ? 0 : FilterKernel.border(settings.filter());
     }
 
     /** The pixels in which samples must be taken: the crop and the border that its filter reaches, within the film. */
     public FilmSettings.Crop sampleArea() {
         FilmSettings.Crop crop = settings.crop();
-        int border = FilterKernel.border(settings.filter());
+        int border = filterBorder();
         int x0 = Math.max(0, crop.x() - border);
         int y0 = Math.max(0, crop.y() - border);
         int x1 = Math.min(settings.width(), crop.x() + crop.width() + border);
@@ -97,15 +116,32 @@ public final class Film {
         return new FilmSettings.Crop(x0, y0, x1 - x0, y1 - y0);
     }
 
+    /**
+     * Draws where in or near a pixel samples are taken; for films with {@link FilmSettings#filterSampling()}. Not limited to
+     * one worker.
+     */
+    public FilterSampler filterSampler() {
+        return new FilterSampler(settings, kernel);
+    }
+
     /** A new tile for this film; each worker or work unit has its own. */
-    public FilmTile newTile() {
+    public synchronized FilmTile newTile() {
         return new FilmTile(settings, layout, kernel);
     }
 
     /** Adds the samples of a tile. */
-    public synchronized void commit(FilmTile tile) {
+    public void commit(FilmTile tile) {
+        commit(tile, tile.samples());
+    }
+
+    /**
+     * Adds the samples of a tile.
+     *
+     * @param counted how many of them count in {@link #samples()}: none of a tile that another part of the image counts
+     */
+    public synchronized void commit(FilmTile tile, long counted) {
         tile.addTo(sums);
-        samples += tile.samples();
+        samples += counted;
     }
 
     /**
@@ -113,21 +149,21 @@ public final class Film {
      *
      * @param subpaths number of subpaths that were traced for them, those without any splat included
      */
-    public synchronized void commit(SplatBuffer splats, long subpaths) {
-        splatPaths += subpaths;
-        int used = splats.size() * SplatBuffer.STRIDE;
-        if (used == 0) {
-            return;
-        }
-        double[] target = splatSums;
-        if (target == null) {
-            target = new double[settings.crop().width() * settings.crop().height() * splatStride];
-            splatSums = target;
-        }
-        double[] entries = splats.entries();
-        for (int i = 0; i < used; i += SplatBuffer.STRIDE) {
-            addSplat(target, entries[i], entries[i + 1], entries[i + 2], entries[i + 3], entries[i + 4]);
-        }
+    public synchronized void commit(SplatBuffer buffer, long subpaths) {
+        splats.add(buffer, subpaths);
+    }
+
+    /**
+     * Ends a lane of splats. The splats of a lane are added up apart, and the lanes then in their order. So a film that is
+     * put together from parts of whole lanes has the bits of one that was rendered at once.
+     */
+    public synchronized void closeSplatLane() {
+        splats.closeLane();
+    }
+
+    /** Keeps lanes of splats apart when they are closed, as a part of a render has to. Before the first one is closed. */
+    public synchronized void keepSplatLanes() {
+        splats.keepLanes();
     }
 
     /**
@@ -135,7 +171,7 @@ public final class Film {
      * (Markov chains) set it while they learn it.
      */
     public synchronized void setSplatScale(double scale) {
-        splatScale = scale;
+        splats.setScale(scale);
     }
 
     /** Number of samples committed. */
@@ -145,7 +181,7 @@ public final class Film {
 
     /** Number of subpaths whose splats were committed. */
     public synchronized long splatPaths() {
-        return splatPaths;
+        return splats.paths();
     }
 
     /**
@@ -171,8 +207,7 @@ public final class Film {
      * samples, and 0 for a black image.
      */
     public synchronized double relativeError() {
-        int width = settings.crop().width();
-        int n = width * settings.crop().height();
+        int n = settings.crop().width() * settings.crop().height();
         double mean = 0;
         double variance = 0;
         for (int p = 0; p < n; p++) {
@@ -180,24 +215,15 @@ public final class Film {
             if (samples > 0) {
                 int at = p * layout.stride;
                 luminance = sampleMean(at, luminanceSum(at, FilmLayout.COLOR));
-                int one = at + layout.squaredWeight;
-                double first = layout.unitBox ? luminanceSum(at, FilmLayout.COLOR) : sums[one + 1];
-                variance +=
-                        sampleVariance(sums[at], sums[one], first, sums[at + FilmLayout.LUMINANCE_SQUARED], luminance);
+                variance += luminanceVariance(at, luminance);
             }
-            if (splatSums != null) {
-                int at = p * splatStride;
-                double norm = splatNorm(p % width, p / width) * splatScale;
-                luminance +=
-                        norm * Spectrum.luminance(splatSums[at], splatSums[at + 1], splatSums[at + 2]) / splatPaths;
-                variance += splatVariance(
-                        Spectrum.luminance(splatSums[at], splatSums[at + 1], splatSums[at + 2]),
-                        splatSums[at + 3],
-                        norm);
+            if (splats.any()) {
+                luminance += splats.luminance(p);
+                variance += splats.luminanceVariance(p);
             }
             mean += luminance;
         }
-        if (samples == 0 && splatPaths == 0) {
+        if (samples == 0 && splats.paths() == 0) {
             return Double.NaN;
         }
         mean /= n;
@@ -205,14 +231,119 @@ public final class Film {
         return variance == 0 ? 0 : Math.sqrt(variance) / Math.abs(mean);
     }
 
+    /**
+     * Estimates, for each pixel of the crop, the mean luminance of its samples and the standard deviation of a single sample,
+     * NaN where a pixel has fewer than two. Splats have no part in it.
+     *
+     * @param means receives the means, row by row
+     * @param deviations receives the standard deviations
+     */
+    public synchronized void sampleStatistics(double[] means, double[] deviations) {
+        int n = settings.crop().width() * settings.crop().height();
+        for (int p = 0; p < n; p++) {
+            int at = p * layout.stride;
+            double weight = sums[at];
+            double mean = sampleMean(at, luminanceSum(at, FilmLayout.COLOR));
+            means[p] = mean;
+            deviations[p] = Math.sqrt(luminanceVariance(at, mean) * weight * weight / sums[at + layout.squaredWeight]);
+        }
+    }
+
+    /**
+     * All that was accumulated, as a copy.
+     *
+     * @param regions rectangles whose sample sums are of interest, see {@link FilmState#regions()}
+     */
+    public synchronized FilmState state(List<FilmSettings.Crop> regions) {
+        long length = 0;
+        for (FilmSettings.Crop region : regions) {
+            length += (long) region.width() * region.height() * layout.stride;
+        }
+        double[] copy = new double[Math.toIntExact(length)];
+        int to = 0;
+        for (FilmSettings.Crop region : regions) {
+            int row = region.width() * layout.stride;
+            for (int y = 0; y < region.height(); y++, to += row) {
+                System.arraycopy(sums, indexOf(region, y), copy, to, row);
+            }
+        }
+        return new FilmState(
+                settings, layers, weighted, regions, copy, samples, splats.state(), splats.paths(), splats.scale());
+    }
+
+    /**
+     * Makes this film, which must be empty, what another one was.
+     *
+     * @throws IllegalArgumentException if the state has other settings or layers
+     */
+    public synchronized void restore(FilmState state) {
+        checkSame(state);
+        if (state.weighted() && !weighted) {
+            useSampleWeights();
+        }
+        checkWeights(state);
+        addSums(state);
+        samples = state.samples();
+        splats.restore(state.splats(), state.splatPaths(), state.splatScale());
+    }
+
+    /**
+     * Adds what was accumulated for another part of the same image: other pixels, or the splat lanes that follow. All lanes
+     * of the part are closed.
+     *
+     * @throws IllegalArgumentException if the state has other settings or layers
+     */
+    public synchronized void merge(FilmState state) {
+        checkSame(state);
+        checkWeights(state);
+        addSums(state);
+        samples += state.samples();
+        splats.merge(state.splats(), state.splatPaths(), state.splatScale());
+    }
+
+    private void checkSame(FilmState state) {
+        if (!state.settings().equals(settings) || !state.layers().equals(layers)) {
+            throw new IllegalArgumentException("the films differ in their settings or layers");
+        }
+    }
+
+    private void checkWeights(FilmState state) {
+        if (state.weighted() != weighted) {
+            throw new IllegalArgumentException("only one of the films has weights of samples");
+        }
+    }
+
+    private void addSums(FilmState state) {
+        int from = 0;
+        for (FilmSettings.Crop region : state.regions()) {
+            int row = region.width() * layout.stride;
+            for (int y = 0; y < region.height(); y++) {
+                int to = indexOf(region, y);
+                for (int i = 0; i < row; i++) {
+                    sums[to + i] += state.sums()[from++];
+                }
+            }
+        }
+    }
+
+    private int indexOf(FilmSettings.Crop region, int y) {
+        FilmSettings.Crop crop = settings.crop();
+        return ((region.y() - crop.y() + y) * crop.width() + region.x() - crop.x()) * layout.stride;
+    }
+
+    private double luminanceVariance(int at, double mean) {
+        int one = at + layout.squaredWeight;
+        double first = layout.unitWeights ? luminanceSum(at, FilmLayout.COLOR) : sums[one + 1];
+        return sampleVariance(sums[at], sums[one], first, sums[at + FilmLayout.LUMINANCE_SQUARED], mean);
+    }
+
     private float[] developColor(int c) {
-        int width = settings.crop().width();
-        float[] values = new float[width * settings.crop().height()];
+        float[] values = new float[settings.crop().width() * settings.crop().height()];
         for (int p = 0; p < values.length; p++) {
             int at = p * layout.stride;
             double value = sampleMean(at, sums[at + FilmLayout.COLOR + c]);
-            if (splatSums != null) {
-                value += splatNorm(p % width, p / width) * splatScale * splatSums[p * splatStride + c] / splatPaths;
+            if (splats.any()) {
+                value += splats.mean(p, c);
             }
             values[p] = (float) value;
         }
@@ -238,11 +369,10 @@ public final class Film {
     }
 
     private float[] developVariance(int c) {
-        int width = settings.crop().width();
-        float[] values = new float[width * settings.crop().height()];
+        float[] values = new float[settings.crop().width() * settings.crop().height()];
         for (int p = 0; p < values.length; p++) {
             int at = p * layout.stride;
-            double variance = samples == 0 && splatPaths == 0 ? Double.NaN : 0;
+            double variance = samples == 0 && splats.paths() == 0 ? Double.NaN : 0;
             if (samples > 0) {
                 variance = sampleVariance(
                         sums[at],
@@ -251,10 +381,8 @@ public final class Film {
                         sums[at + layout.second + c],
                         sampleMean(at, sums[at + FilmLayout.COLOR + c]));
             }
-            if (splatSums != null) {
-                double norm = splatNorm(p % width, p / width) * splatScale;
-                int splat = p * splatStride;
-                variance += splatVariance(splatSums[splat + c], splatSums[splat + 4 + c], norm);
+            if (splats.any()) {
+                variance += splats.variance(p, c);
             }
             values[p] = (float) variance;
         }
@@ -278,65 +406,5 @@ public final class Film {
             return Double.NaN;
         }
         return Math.max(0, second - 2 * mean * first + mean * mean * ww) / (w * w) * (n / (n - 1));
-    }
-
-    private double splatVariance(double sum, double squares, double norm) {
-        double mean = sum / splatPaths;
-        return Math.max(0, squares / splatPaths - mean * mean) / splatPaths * norm * norm;
-    }
-
-    private void addSplat(double[] target, double filmX, double filmY, double r, double g, double b) {
-        FilmSettings.Crop crop = settings.crop();
-        if (layout.unitBox) {
-            int px = (int) Math.floor(filmX) - crop.x();
-            int py = (int) Math.floor(filmY) - crop.y();
-            if (px >= 0 && py >= 0 && px < crop.width() && py < crop.height()) {
-                addSplat(target, (py * crop.width() + px) * splatStride, 1, r, g, b);
-            }
-            return;
-        }
-        double radius = settings.filter().radius();
-        int fromX = Math.max((int) Math.ceil(filmX - radius - 0.5), crop.x());
-        int toX = Math.min((int) Math.floor(filmX + radius - 0.5), crop.x() + crop.width() - 1);
-        int fromY = Math.max((int) Math.ceil(filmY - radius - 0.5), crop.y());
-        int toY = Math.min((int) Math.floor(filmY + radius - 0.5), crop.y() + crop.height() - 1);
-        for (int x = fromX; x <= toX; x++) {
-            weightsX[x - fromX] = kernel.weight(x + 0.5 - filmX);
-        }
-        for (int y = fromY; y <= toY; y++) {
-            weightsY[y - fromY] = kernel.weight(y + 0.5 - filmY);
-        }
-        for (int y = fromY; y <= toY; y++) {
-            for (int x = fromX; x <= toX; x++) {
-                int at = ((y - crop.y()) * crop.width() + x - crop.x()) * splatStride;
-                addSplat(target, at, weightsX[x - fromX] * weightsY[y - fromY], r, g, b);
-            }
-        }
-    }
-
-    private void addSplat(double[] target, int at, double w, double r, double g, double b) {
-        double wr = w * r;
-        double wg = w * g;
-        double wb = w * b;
-        target[at] += wr;
-        target[at + 1] += wg;
-        target[at + 2] += wb;
-        double luminance = Spectrum.luminance(wr, wg, wb);
-        target[at + 3] += luminance * luminance;
-        if (layout.variance) {
-            target[at + 4] += wr * wr;
-            target[at + 5] += wg * wg;
-            target[at + 6] += wb * wb;
-        }
-    }
-
-    /** 1 over the filter's integral over the film, for a pixel of the crop: not 1 near the edges of the film only. */
-    private double splatNorm(int x, int y) {
-        if (layout.unitBox) {
-            return 1;
-        }
-        double px = settings.crop().x() + x + 0.5;
-        double py = settings.crop().y() + y + 0.5;
-        return 1 / (kernel.integral(-px, settings.width() - px) * kernel.integral(-py, settings.height() - py));
     }
 }

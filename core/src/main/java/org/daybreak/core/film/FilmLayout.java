@@ -6,15 +6,18 @@ import java.util.Set;
  * Where a pixel's sums lie in the arrays of film and tiles. Immutable.
  *
  * <p>With weights w (filter), sample values v and their luminance Y, a pixel keeps Σw, Σw·v and what the variance of
- * Σw·v/Σw needs: Σw², Σw²Y and Σw²Y²; with the variance layer also Σw²v and Σw²v². With the one-pixel box all weights are 1,
- * and sums that are then equal are kept once.
+ * Σw·v/Σw needs: Σw², Σw²Y and Σw²Y²; with the variance layer also Σw²v and Σw²v². With the one-pixel box and with filter
+ * sampling all weights are 1 unless samples have weights of their own, and sums that are then equal are kept once.
  */
 final class FilmLayout {
     /** Numbers per pixel. */
     final int stride;
 
-    /** True for the box of one pixel: all weights are 1. */
-    final boolean unitBox;
+    /** True for the box of one pixel: a sample belongs to the pixel it lies in. */
+    final boolean pixelBox;
+
+    /** True if all weights are 1: the box of one pixel or filter sampling, and samples without weights of their own. */
+    final boolean unitWeights;
 
     /** True if the variance layer is kept. */
     final boolean variance;
@@ -48,11 +51,12 @@ final class FilmLayout {
     /** True if some layer needs the features of samples. */
     final boolean features;
 
-    FilmLayout(ReconstructionFilter filter, Set<FilmLayer> layers) {
-        unitBox = filter.kind() == ReconstructionFilter.Kind.BOX && filter.radius() == 0.5;
+    FilmLayout(FilmSettings settings, Set<FilmLayer> layers, boolean weighted) {
+        pixelBox = isUnitBox(settings.filter());
+        unitWeights = (settings.filterSampling() || pixelBox) && !weighted;
         variance = layers.contains(FilmLayer.VARIANCE);
         int next = LUMINANCE_SQUARED + 1;
-        if (unitBox) {
+        if (unitWeights) {
             squaredWeight = WEIGHT;
             first = COLOR;
         } else {
@@ -71,5 +75,10 @@ final class FilmLayout {
         next += depth >= 0 ? 2 : 0;
         features = albedo >= 0 || normal >= 0 || depth >= 0;
         stride = next;
+    }
+
+    /** True for the box of one pixel. */
+    static boolean isUnitBox(ReconstructionFilter filter) {
+        return filter.kind() == ReconstructionFilter.Kind.BOX && filter.radius() == 0.5;
     }
 }

@@ -7,8 +7,12 @@ package org.daybreak.core.film;
  * @param height full height in pixels
  * @param crop part that is rendered
  * @param filter reconstruction filter
+ * @param filterSampling whether the offsets of samples from the centres of their pixels are drawn in proportion to the
+ *     filter's absolute value, and samples count for their own pixel only (Ernst, Stamminger and Greiner, “Filter Importance
+ *     Sampling”, RT 2006): errors of neighbouring pixels are then independent. Otherwise samples are spread evenly and each
+ *     counts for all pixels that the filter reaches.
  */
-public record FilmSettings(int width, int height, Crop crop, ReconstructionFilter filter) {
+public record FilmSettings(int width, int height, Crop crop, ReconstructionFilter filter, boolean filterSampling) {
     /** Largest side of a film in pixels. */
     public static final int MAX_SIZE = 65_536;
 
@@ -27,6 +31,16 @@ public record FilmSettings(int width, int height, Crop crop, ReconstructionFilte
             throw new IllegalArgumentException(
                     "the crop " + crop + " must lie within the film of " + width + "x" + height);
         }
+    }
+
+    /** A film whose samples are spread evenly. */
+    public FilmSettings(int width, int height, Crop crop, ReconstructionFilter filter) {
+        this(width, height, crop, filter, false);
+    }
+
+    /** The same film with or without filter sampling. */
+    public FilmSettings withFilterSampling(boolean sampling) {
+        return new FilmSettings(width, height, crop, filter, sampling);
     }
 
     /** A whole film. */

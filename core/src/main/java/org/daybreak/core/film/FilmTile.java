@@ -22,13 +22,14 @@ public final class FilmTile {
     private int width;
     private int height;
     private long samples;
+    private double sampleWeight = 1;
 
     FilmTile(FilmSettings settings, FilmLayout layout, FilterKernel kernel) {
         this.layout = layout;
         this.kernel = kernel;
         this.crop = settings.crop();
         this.radius = settings.filter().radius();
-        this.border = FilterKernel.border(settings.filter());
+        this.border = settings.filterSampling() ? 0 : FilterKernel.border(settings.filter());
         int reach = 2 * border + 2;
         weightsX = new double[reach];
         weightsY = new double[reach];
@@ -50,6 +51,16 @@ public final class FilmTile {
             Arrays.fill(sums, 0, length, 0);
         }
         samples = 0;
+        sampleWeight = 1;
+    }
+
+    /**
+     * Sets the weight of the samples that follow, on top of the filter's; 1 after {@link #begin}.
+     *
+     * @param weight finite and positive; 1 unless the film {@linkplain Film#useSampleWeights() uses weights}
+     */
+    public void setSampleWeight(double weight) {
+        sampleWeight = weight;
     }
 
     /**
@@ -74,7 +85,7 @@ public final class FilmTile {
             return false;
         }
         samples++;
-        if (layout.unitBox) {
+        if (layout.unitWeights) {
             int px = (int) filmX - x0;
             int py = (int) filmY - y0;
             if (px >= 0 && py >= 0 && px < width && py < height) {
@@ -82,6 +93,18 @@ public final class FilmTile {
                 addUnweighted(at, value);
                 if (features != null && features.hit) {
                     addFeatures(at, 1, features);
+                }
+            }
+            return true;
+        }
+        if (layout.pixelBox) {
+            int px = (int) filmX - x0;
+            int py = (int) filmY - y0;
+            if (px >= 0 && py >= 0 && px < width && py < height) {
+                int at = (py * width + px) * layout.stride;
+                addWeighted(at, sampleWeight, value, value.luminance());
+                if (features != null && features.hit) {
+                    addFeatures(at, sampleWeight, features);
                 }
             }
             return true;
@@ -98,7 +121,7 @@ public final class FilmTile {
         }
         double luminance = value.luminance();
         for (int y = fromY; y <= toY; y++) {
-            double wy = weightsY[y - fromY];
+            double wy = sampleWeight * weightsY[y - fromY];
             int at = ((y - y0) * width + fromX - x0) * layout.stride;
             for (int x = fromX; x <= toX; x++, at += layout.stride) {
                 double w = wy * weightsX[x - fromX];
@@ -107,6 +130,32 @@ public final class FilmTile {
                     addFeatures(at, w, features);
                 }
             }
+        }
+        return true;
+    }
+
+    /**
+     * Adds a sample to a pixel, for films with {@linkplain FilmSettings#filterSampling() filter sampling}.
+     *
+     * @param x column of the pixel, in the rectangle given to {@link #begin}
+     * @param factor what {@link FilterSampler} says about the sample's position
+     * @param value radiance; multiplied by the factor on return
+     * @return false if a value is not finite: the whole sample is then left out, and the caller records its address
+     */
+    public boolean addToPixel(int x, int y, double factor, Spectrum value, @Nullable FilmFeatures features) {
+        if (!value.isFinite() || (features != null && !features.isFinite())) {
+            return false;
+        }
+        samples++;
+        value.scale(factor);
+        int at = ((y - y0) * width + x - x0) * layout.stride;
+        if (layout.unitWeights) {
+            addUnweighted(at, value);
+        } else {
+            addWeighted(at, sampleWeight, value, value.luminance());
+        }
+        if (features != null && features.hit) {
+            addFeatures(at, sampleWeight * factor, features);
         }
         return true;
     }

@@ -15,6 +15,8 @@ final class FilterKernel {
     private final double[] values;
     /** Integral from 0 to each distance. */
     private final double[] integrals;
+    /** The same of bounds of the absolute values, linear in between: the density that offsets are drawn with is constant there. */
+    private final double[] absoluteIntegrals;
 
     FilterKernel(ReconstructionFilter filter) {
         radius = filter.radius();
@@ -33,6 +35,11 @@ final class FilterKernel {
         for (int i = 0; i <= n + 1; i++) {
             values[i] /= norm;
             integrals[i] /= norm;
+        }
+        absoluteIntegrals = new double[n + 2];
+        for (int i = 1; i <= n + 1; i++) {
+            double step = 0.5 * (Math.abs(values[i - 1]) + Math.abs(values[i])) / perPixel;
+            absoluteIntegrals[i] = absoluteIntegrals[i - 1] + step;
         }
     }
 
@@ -64,5 +71,44 @@ final class FilterKernel {
         double f = position - i;
         double value = integrals[i] + f * (values[i] + 0.5 * f * (values[i + 1] - values[i])) / perPixel;
         return Math.copySign(value, distance);
+    }
+
+    /** Integral of the absolute values of the weights over [from, to]. */
+    double absoluteIntegral(double from, double to) {
+        return absolutePrimitive(to) - absolutePrimitive(from);
+    }
+
+    private double absolutePrimitive(double distance) {
+        double d = Math.min(Math.abs(distance), radius);
+        double position = d * perPixel;
+        int i = (int) position;
+        double f = position - i;
+        double value = absoluteIntegrals[i] + f * (absoluteIntegrals[i + 1] - absoluteIntegrals[i]);
+        return Math.copySign(value, distance);
+    }
+
+    /** The distance up to which, from 0 on, the integral of the absolute weights has a value; odd in that value. */
+    double absoluteQuantile(double integral) {
+        double wanted = Math.abs(integral);
+        int n = absoluteIntegrals.length - 2;
+        int low = 0;
+        int high = n;
+        while (high - low > 1) {
+            int middle = (low + high) >>> 1;
+            if (absoluteIntegrals[middle] <= wanted) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        double step = absoluteIntegrals[low + 1] - absoluteIntegrals[low];
+        double f = step > 0 ? Math.min(1, (wanted - absoluteIntegrals[low]) / step) : 0;
+        return Math.copySign(Math.min((low + f) / perPixel, radius), integral);
+    }
+
+    /** Mean of the absolute weight over the step of the table that a distance lies in: the density of quantiles. */
+    double absoluteStep(double distance) {
+        int i = Math.min((int) (Math.abs(distance) * perPixel), absoluteIntegrals.length - 3);
+        return (absoluteIntegrals[i + 1] - absoluteIntegrals[i]) * perPixel;
     }
 }

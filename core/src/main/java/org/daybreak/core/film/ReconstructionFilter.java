@@ -23,6 +23,15 @@ public record ReconstructionFilter(Kind kind, double radius, double parameter) {
     /** Mitchell–Netravali with B = C = 1/3 (Mitchell and Netravali 1988), radius 2; has negative lobes. */
     public static final ReconstructionFilter MITCHELL = new ReconstructionFilter(Kind.MITCHELL, 2, 1.0 / 3);
 
+    /** The cubic of Catmull and Rom, radius 2: Mitchell–Netravali with B = 0, C = 1/2; interpolates and has negative lobes. */
+    public static final ReconstructionFilter CATMULL_ROM = new ReconstructionFilter(Kind.MITCHELL, 2, 0);
+
+    /** The four-term window of Blackman and Harris, radius 1.5: close to a Gaussian, and 0 at the end of its own. */
+    public static final ReconstructionFilter BLACKMAN_HARRIS = new ReconstructionFilter(Kind.BLACKMAN_HARRIS, 1.5, 0);
+
+    /** Lanczos with three lobes; has negative lobes. */
+    public static final ReconstructionFilter LANCZOS = new ReconstructionFilter(Kind.LANCZOS, 3, 0);
+
     /** Shape of a filter. */
     public enum Kind {
         /** Constant. */
@@ -32,11 +41,15 @@ public record ReconstructionFilter(Kind kind, double radius, double parameter) {
         /** Truncated Gaussian, offset to be continuous. */
         GAUSSIAN,
         /** Cubic of Mitchell and Netravali. */
-        MITCHELL;
+        MITCHELL,
+        /** Four-term window of minimum side lobes (Harris, “On the Use of Windows”, Proc. IEEE 66, 1978, table 1). */
+        BLACKMAN_HARRIS,
+        /** Sinc with a lobe per pixel of the radius, windowed by the central lobe of a sinc (Duchon 1979). */
+        LANCZOS;
 
         /** Name in files and on the command line. */
         public String id() {
-            return name().toLowerCase(Locale.ROOT);
+            return name().toLowerCase(Locale.ROOT).replace('_', '-');
         }
     }
 
@@ -66,11 +79,23 @@ public record ReconstructionFilter(Kind kind, double radius, double parameter) {
             case TENT -> 1 - d / radius;
             case GAUSSIAN -> Math.max(0, gaussian(d) - gaussian(radius));
             case MITCHELL -> mitchell(2 * d / radius);
+            case BLACKMAN_HARRIS -> blackmanHarris(Math.PI * d / radius);
+            case LANCZOS -> sinc(d) * sinc(d / radius);
         };
     }
 
     private double gaussian(double d) {
         return Math.exp(-d * d / (2 * parameter * parameter));
+    }
+
+    private static double blackmanHarris(double angle) {
+        return Math.max(
+                0, 0.35875 + 0.48829 * Math.cos(angle) + 0.14128 * Math.cos(2 * angle) + 0.01168 * Math.cos(3 * angle));
+    }
+
+    private static double sinc(double x) {
+        double angle = Math.PI * x;
+        return angle < 1e-4 ? 1 - angle * angle / 6 : Math.sin(angle) / angle;
     }
 
     private double mitchell(double x) {

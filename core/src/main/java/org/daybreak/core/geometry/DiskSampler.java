@@ -1,5 +1,6 @@
 package org.daybreak.core.geometry;
 
+import org.daybreak.core.math.Bounds;
 import org.daybreak.core.math.Transform;
 import org.daybreak.core.sampling.Warps;
 
@@ -95,6 +96,7 @@ final class DiskSampler implements SurfaceSampler {
         toWorld.applyInversePoint(point.x, point.y, point.z, p);
         point.u = Math.min(1, Math.sqrt(p[0] * p[0] + p[1] * p[1]));
         point.v = SurfaceFrames.turn(p[0], p[1]);
+        point.setNoAttributes();
     }
 
     @Override
@@ -130,5 +132,14 @@ final class DiskSampler implements SurfaceSampler {
             return Math.max(parallelogram, 1e-3 * Math.min(Math.PI, area / squaredDistance) * receiver);
         }
         return receiver * area * height / (squaredDistance * Math.sqrt(squaredDistance));
+    }
+
+    @Override
+    public EmissionBounds bounds() {
+        double x = Math.sqrt(ax * ax + bx * bx);
+        double y = Math.sqrt(ay * ay + by * by);
+        double z = Math.sqrt(az * az + bz * bz);
+        Bounds box = new Bounds(centreX - x, centreY - y, centreZ - z, centreX + x, centreY + y, centreZ + z);
+        return new EmissionBounds(box, normalX, normalY, normalZ, 0, Math.PI / 2, area);
     }
 }

@@ -1,5 +1,6 @@
 package org.daybreak.core.geometry;
 
+import org.daybreak.core.math.Bounds;
 import org.daybreak.core.math.Transform;
 
 /**
@@ -158,20 +159,34 @@ final class ParallelogramSampler implements SurfaceSampler {
                 / (squaredDistance * Math.sqrt(squaredDistance));
     }
 
-    private boolean bySolidAngle(double px, double py, double pz) {
+    @Override
+    public EmissionBounds bounds() {
+        Bounds.Builder box = new Bounds.Builder();
+        for (int corner = 0; corner < 4; corner++) {
+            double a = corner & 1;
+            double b = corner >> 1;
+            box.include(cornerX + a * ax + b * bx, cornerY + a * ay + b * by, cornerZ + a * az + b * bz);
+        }
+        return new EmissionBounds(box.build(), normalX, normalY, normalZ, 0, Math.PI / 2, area);
+    }
+
+    /** True if the point is so near that directions are drawn uniformly by solid angle. */
+    boolean bySolidAngle(double px, double py, double pz) {
         double x = centreX - px;
         double y = centreY - py;
         double z = centreZ - pz;
         return rectangular && x * x + y * y + z * z < SQUARED_FAR * squaredRadius;
     }
 
-    private void fill(double u, double v, SurfacePoint out) {
+    /** Sets the point at texture coordinates. */
+    void fill(double u, double v, SurfacePoint out) {
         out.x = cornerX + u * ax + v * bx;
         out.y = cornerY + u * ay + v * by;
         out.z = cornerZ + u * az + v * bz;
         SurfaceFrames.set(out, normalX, normalY, normalZ);
         out.u = u;
         out.v = v;
+        out.setNoAttributes();
         out.offset = offset;
         out.primitive = 0;
     }

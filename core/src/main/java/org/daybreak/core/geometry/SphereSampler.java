@@ -1,6 +1,8 @@
 package org.daybreak.core.geometry;
 
+import org.daybreak.core.math.Bounds;
 import org.daybreak.core.math.Transform;
+import org.daybreak.core.math.Turns;
 import org.daybreak.core.sampling.Warps;
 
 /**
@@ -94,9 +96,8 @@ final class SphereSampler implements SurfaceSampler {
         double along = (distance - 1) * (distance + 1) / (distance * (1 - t) + root);
         double sine = Math.min(1, along * Math.sqrt(squaredSine));
         double cosine = Math.sqrt((1 - sine) * (1 + sine));
-        double phi = 2 * Math.PI * v;
-        double x = sine * Math.cos(phi);
-        double y = sine * Math.sin(phi);
+        double x = sine * Turns.cos(v);
+        double y = sine * Turns.sin(v);
         double wx = p[0] / distance;
         double wy = p[1] / distance;
         double wz = p[2] / distance;
@@ -140,6 +141,7 @@ final class SphereSampler implements SurfaceSampler {
         toWorld.applyInversePoint(point.x, point.y, point.z, p);
         point.u = SurfaceFrames.turn(p[0], p[1]);
         point.v = Math.atan2(Math.sqrt(p[0] * p[0] + p[1] * p[1]), p[2]) / Math.PI;
+        point.setNoAttributes();
     }
 
     @Override
@@ -227,5 +229,11 @@ final class SphereSampler implements SurfaceSampler {
             }
         }
         return UNIT_SPHERE_AREA * sum / rows / columns;
+    }
+
+    @Override
+    public EmissionBounds bounds() {
+        Bounds box = new Bounds(-1, -1, -1, 1, 1, 1).transform(toWorld);
+        return EmissionBounds.everywhere(box, area / 4);
     }
 }

@@ -1,6 +1,7 @@
 package org.daybreak.core.geometry;
 
 import org.daybreak.core.math.Arcs;
+import org.daybreak.core.math.Turns;
 
 /**
  * Sampling of rectangles by solid angle (Ureña, Fajardo and King, “An Area-Preserving Parametrization for Spherical
@@ -64,8 +65,9 @@ final class SphericalRectangles {
      * @param work as {@link #solidAngle} left it
      */
     static double sampleX(double u, double solidAngle, double x0, double x1, double z, double[] work) {
-        double sine = Math.sin(u * solidAngle);
-        double cosine = Math.cos(u * solidAngle);
+        double turns = u * (solidAngle / (2 * Math.PI));
+        double sine = Turns.sin(turns);
+        double cosine = Turns.cos(turns);
         double sinW = work[FIRST_SINE] * cosine + work[FIRST_COSINE] * sine;
         double cosW = work[FIRST_COSINE] * cosine - work[FIRST_SINE] * sine;
         double b0 = work[B0];

@@ -1,6 +1,7 @@
 package org.daybreak.core.geometry;
 
 import org.daybreak.core.math.Densities;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A surface in world space that points can be drawn from: the shape of an area light. Immutable and thread-safe.
@@ -62,6 +63,10 @@ public interface SurfaceSampler {
      * the horizon.
      */
     double irradiance(double px, double py, double pz, double nx, double ny, double nz);
+
+    /** Where the surface is and which way it faces, with the intensity of unit radiance; null if it has no area. */
+    @Nullable
+    EmissionBounds bounds();
 
     /**
      * Converts a density per area at a drawn point to one per solid angle at the reference point; 0 if the point turns

@@ -1,9 +1,15 @@
 package org.daybreak.core.light;
 
 import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.geometry.EmissionBounds;
+import org.daybreak.core.geometry.Shape;
+import org.daybreak.core.geometry.SurfaceBrightness;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.geometry.SurfaceSampler;
+import org.daybreak.core.geometry.SurfaceSamplers;
 import org.daybreak.core.material.Texture;
+import org.daybreak.core.math.Transform;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A surface that emits from its front, with the same radiance in all directions of that side. The radiance may vary over
@@ -34,25 +40,71 @@ public final class AreaLight implements Light {
         meanLuminance = meanLuminance();
     }
 
+    /**
+     * The light of a shape. On rectangles and meshes with a texture, points are drawn in proportion to its luminance.
+     *
+     * @param geometry the shape, wound as it is intersected
+     * @param toWorld map from the shape's to world coordinates
+     * @param flipNormals whether front and back are exchanged
+     * @param firstPrimitive number of the shape's first primitive in its level
+     * @param radiance emitted radiance in W/(m²·sr), not negative
+     * @param shape index of the shape in the scene's shape table
+     */
+    public static AreaLight of(
+            Shape geometry, Transform toWorld, boolean flipNormals, int firstPrimitive, Texture radiance, int shape) {
+        SurfaceBrightness brightness = radiance.isConstant() ? null : new TextureBrightness(radiance);
+        SurfaceSampler surface = SurfaceSamplers.of(geometry, toWorld, flipNormals, firstPrimitive, brightness);
+        return new AreaLight(surface, radiance, shape);
+    }
+
+    /** Luminance of a texture. Used while a light is made, by one thread. */
+    private static final class TextureBrightness implements SurfaceBrightness {
+        private final Texture radiance;
+        private final SurfacePoint point = new SurfacePoint();
+        private final Spectrum value = new Spectrum();
+
+        TextureBrightness(Texture radiance) {
+            this.radiance = radiance;
+        }
+
+        @Override
+        public double at(double u, double v) {
+            point.u = u;
+            point.v = v;
+            radiance.evaluate(point, value);
+            return Math.max(0, value.luminance());
+        }
+
+        @Override
+        public int detail() {
+            return radiance.detail();
+        }
+    }
+
     private double meanLuminance() {
         SurfacePoint point = new SurfacePoint();
         Spectrum value = new Spectrum();
-        int steps = textured ? AVERAGING_STEPS : 1;
+        if (!textured) {
+            if (!(surface.sampleArea(0.5, 0.5, point) > 0)) {
+                return 0;
+            }
+            read(point, value);
+            return value.luminance();
+        }
         double sum = 0;
-        double weight = 0;
-        for (int i = 0; i < steps; i++) {
-            for (int j = 0; j < steps; j++) {
-                double density = surface.sampleArea((i + 0.5) / steps, (j + 0.5) / steps, point);
+        for (int i = 0; i < AVERAGING_STEPS; i++) {
+            for (int j = 0; j < AVERAGING_STEPS; j++) {
+                double density = surface.sampleArea((i + 0.5) / AVERAGING_STEPS, (j + 0.5) / AVERAGING_STEPS, point);
                 if (density > 0) {
                     read(point, value);
                     sum += value.luminance() / density;
-                    weight += 1 / density;
                 }
             }
         }
+        double area = surface.area();
         // A pattern of bright spots finer than the grid must not count as black.
-        double floor = textured ? 1e-3 * Math.max(0, radiance.maximum()) : 0;
-        return weight > 0 ? Math.max(sum / weight, floor) : 0;
+        double floor = 1e-3 * Math.max(0, radiance.maximum());
+        return area > 0 ? Math.max(sum / (AVERAGING_STEPS * AVERAGING_STEPS * area), floor) : 0;
     }
 
     /** The emitting surface. */
@@ -78,6 +130,12 @@ public final class AreaLight implements Light {
     @Override
     public double importance(double px, double py, double pz, double nx, double ny, double nz) {
         return meanLuminance * surface.irradiance(px, py, pz, nx, ny, nz);
+    }
+
+    @Override
+    public @Nullable EmissionBounds bounds() {
+        EmissionBounds unit = surface.bounds();
+        return unit == null ? null : unit.scaled(meanLuminance);
     }
 
     @Override

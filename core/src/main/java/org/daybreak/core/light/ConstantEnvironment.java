@@ -1,8 +1,10 @@
 package org.daybreak.core.light;
 
 import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.geometry.EmissionBounds;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.sampling.Warps;
+import org.jspecify.annotations.Nullable;
 
 /** The same radiance from all directions, from infinity. */
 public final class ConstantEnvironment implements Light {
@@ -49,6 +51,11 @@ public final class ConstantEnvironment implements Light {
     @Override
     public double importance(double px, double py, double pz, double nx, double ny, double nz) {
         return luminance * (nx == 0 && ny == 0 && nz == 0 ? 4 * Math.PI : Math.PI);
+    }
+
+    @Override
+    public @Nullable EmissionBounds bounds() {
+        return null;
     }
 
     @Override

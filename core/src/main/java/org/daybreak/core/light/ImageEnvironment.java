@@ -1,9 +1,11 @@
 package org.daybreak.core.light;
 
 import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.geometry.EmissionBounds;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.math.Transform;
 import org.daybreak.core.sampling.PiecewiseConstant2D;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A panorama around the scene: radiance interpolated bilinearly between the pixels of a {@link RadianceMap}.
@@ -151,6 +153,11 @@ public final class ImageEnvironment implements Light {
     @Override
     public double importance(double px, double py, double pz, double nx, double ny, double nz) {
         return nx == 0 && ny == 0 && nz == 0 ? harmonics.fluence() : harmonics.irradiance(nx, ny, nz);
+    }
+
+    @Override
+    public @Nullable EmissionBounds bounds() {
+        return null;
     }
 
     @Override

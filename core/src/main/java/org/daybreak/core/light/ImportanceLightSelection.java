@@ -26,9 +26,10 @@ public final class ImportanceLightSelection implements LightSelection {
     }
 
     @Override
-    public int choose(double px, double py, double pz, double nx, double ny, double nz, double u) {
+    public boolean choose(double px, double py, double pz, double nx, double ny, double nz, double u, LightChoice out) {
         if (lights.length == 1) {
-            return 0;
+            out.set(0, 1);
+            return true;
         }
         // Most scenes have up to four lights. Their estimates fit into variables and need not be computed twice.
         double w0 = importanceIfAny(0, px, py, pz, nx, ny, nz);
@@ -45,19 +46,20 @@ public final class ImportanceLightSelection implements LightSelection {
             }
         }
         double left = u;
-        int last = -1;
         for (int i = 0; candidates > 0 && i < lights.length; i++) {
             double importance =
                     i > 3 ? importance(i, px, py, pz, nx, ny, nz) : i == 0 ? w0 : i == 1 ? w1 : i == 2 ? w2 : w3;
             if (importance > 0) {
-                last = i;
-                left -= mix(importance, total, candidates);
+                double probability = mix(importance, total, candidates);
+                out.set(i, probability);
+                left -= probability;
                 if (left < 0) {
                     break;
                 }
             }
         }
-        return last;
+        // Rounding may leave a little over: that is the last candidate's.
+        return candidates > 0;
     }
 
     @Override

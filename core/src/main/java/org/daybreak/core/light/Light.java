@@ -1,7 +1,9 @@
 package org.daybreak.core.light;
 
 import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.geometry.EmissionBounds;
 import org.daybreak.core.geometry.SurfacePoint;
+import org.jspecify.annotations.Nullable;
 
 /**
  * An emitter, ready for sampling in both transport directions. Immutable and thread-safe.
@@ -24,6 +26,10 @@ public interface Light {
      * if the normal is the zero vector. Used to choose lights; must be positive wherever the light can contribute.
      */
     double importance(double px, double py, double pz, double nx, double ny, double nz);
+
+    /** Where the light is and which way it shines, for a light tree; null for lights at infinity and without area. */
+    @Nullable
+    EmissionBounds bounds();
 
     /**
      * Samples a direction towards the light from a reference point (technique s = 1).

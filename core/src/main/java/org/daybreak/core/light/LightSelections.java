@@ -11,6 +11,6 @@ public final class LightSelections {
 
     /** The selection for the lights of a scene; its indices are those of the list. */
     public static LightSelection forLights(List<? extends Light> lights) {
-        return lights.size() <= FEW ? new ImportanceLightSelection(lights) : new PowerLightSelection(lights);
+        return lights.size() <= FEW ? new ImportanceLightSelection(lights) : new LightTreeSelection(lights);
     }
 }

@@ -1,7 +1,9 @@
 package org.daybreak.core.light;
 
 import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.geometry.EmissionBounds;
 import org.daybreak.core.geometry.SurfacePoint;
+import org.daybreak.core.math.Bounds;
 import org.daybreak.core.sampling.Warps;
 
 /** A point that emits the same intensity in all directions. */
@@ -44,6 +46,11 @@ public final class PointLight implements Light {
     @Override
     public double importance(double px, double py, double pz, double nx, double ny, double nz) {
         return luminance * PointGeometry.irradiance(x - px, y - py, z - pz, nx, ny, nz);
+    }
+
+    @Override
+    public EmissionBounds bounds() {
+        return EmissionBounds.everywhere(new Bounds(x, y, z, x, y, z), luminance);
     }
 
     @Override

@@ -18,8 +18,13 @@ public final class PowerLightSelection implements LightSelection {
     }
 
     @Override
-    public int choose(double px, double py, double pz, double nx, double ny, double nz, double u) {
-        return chooseForEmission(u);
+    public boolean choose(double px, double py, double pz, double nx, double ny, double nz, double u, LightChoice out) {
+        int light = chooseForEmission(u);
+        if (light < 0) {
+            return false;
+        }
+        out.set(light, emissionProbability(light));
+        return true;
     }
 
     @Override

@@ -1,5 +1,6 @@
 package org.daybreak.core.render;
 
+import java.util.Optional;
 import org.daybreak.core.sampling.Sampler;
 
 /** Decides where in a pixel samples are taken and which random numbers the paths through them use. Immutable. */
@@ -19,4 +20,9 @@ public interface Antialiasing {
      * @param samplesPerPixel number of samples per pixel as {@link #samplesPerPixel} returned it
      */
     Sampler newSampler(long seed, long samplesPerPixel);
+
+    /** How samples are divided among the pixels; empty if each pixel has the same number. */
+    default Optional<SampleAllocation> allocation() {
+        return Optional.empty();
+    }
 }

@@ -34,9 +34,14 @@ public final class NonFiniteLog {
 
     /** Adds another log's entries after this one's. */
     public void addAll(NonFiniteLog other) {
-        count += other.count;
-        for (int i = 0; i < other.addresses.size() && addresses.size() < KEPT; i++) {
-            addresses.add(other.addresses.get(i));
+        addAll(other.count, other.addresses);
+    }
+
+    /** Adds entries of an earlier log. */
+    public void addAll(long earlierCount, List<String> earlierAddresses) {
+        count += earlierCount;
+        for (int i = 0; i < earlierAddresses.size() && addresses.size() < KEPT; i++) {
+            addresses.add(earlierAddresses.get(i));
         }
     }
 

@@ -53,6 +53,14 @@ public abstract class OrderedWork<S> {
      */
     protected abstract boolean claim(long unit, S slot);
 
+    /**
+     * True if the next unit can be described only when all units before it are committed: it then waits for them. Called before
+     * {@link #claim}, under the same guard, and maybe several times.
+     */
+    protected boolean needsCommits() {
+        return false;
+    }
+
     /** Takes over a finished unit's result. Called in the order of the numbers, from one thread at a time. */
     protected abstract void commit(long unit, S slot);
 
@@ -167,7 +175,7 @@ public abstract class OrderedWork<S> {
 
     /** The next unit to compute, -1 if there is none. The lock is held. */
     private long claimNext() {
-        while (!exhausted && claimed - committed >= finished.length) {
+        while (!exhausted && (claimed - committed >= finished.length || (claimed > committed && needsCommits()))) {
             waiting++;
             try {
                 lock.wait();

@@ -3,8 +3,8 @@ package org.daybreak.core.render;
 import org.daybreak.core.film.Film;
 
 /**
- * Tells a render's listener how far it is, at a rate that costs nothing, and stops the render when its target error is
- * reached. Used from the thread that called the renderer only.
+ * Tells a render's listener how far it is, at a rate that costs nothing. Used from the thread that called the renderer
+ * only.
  */
 public final class ProgressReporter {
     private static final double SECONDS_BETWEEN = 0.25;
@@ -13,6 +13,7 @@ public final class ProgressReporter {
     private final RenderClock clock;
     private final Film film;
     private final double total;
+    private final long start;
     private double lastReport;
     private long passesSeen;
     private double relativeError = Double.NaN;
@@ -21,18 +22,20 @@ public final class ProgressReporter {
      * Creates a reporter.
      *
      * @param total samples that will be taken if nothing stops the render
+     * @param start samples that were taken by the render which this one continues
      */
-    public ProgressReporter(RenderContext context, RenderClock clock, Film film, double total) {
+    public ProgressReporter(RenderContext context, RenderClock clock, Film film, double total, long start) {
         this.context = context;
         this.clock = clock;
         this.film = film;
         this.total = total;
+        this.start = start;
     }
 
     /**
      * Reports if it is time to.
      *
-     * @param samples samples committed to the film
+     * @param samples samples committed to the film, those of the render that is continued included
      * @param passes number of passes that are complete; several that were completed since the last call are announced
      *     once
      */
@@ -40,9 +43,6 @@ public final class ProgressReporter {
         if (passes > passesSeen) {
             passesSeen = passes;
             relativeError = film.relativeError();
-            if (relativeError < context.budget().targetError()) {
-                clock.stop();
-            }
             context.listener().passFinished(film);
         }
         if (clock.seconds() - lastReport >= SECONDS_BETWEEN) {
@@ -65,11 +65,11 @@ public final class ProgressReporter {
     private void report(long samples) {
         double seconds = clock.seconds();
         lastReport = seconds;
-        double rate = samples / Math.max(seconds, 1e-9);
+        double rate = (samples - start) / Math.max(seconds, 1e-9);
         double byTime = seconds / context.budget().seconds();
         double fraction = Math.min(1, Math.max(samples / total, byTime));
         double secondsLeft =
-                Math.max(0, Math.min(clock.secondsLeft(), samples == 0 ? Double.NaN : (total - samples) / rate));
+                Math.max(0, Math.min(clock.secondsLeft(), samples == start ? Double.NaN : (total - samples) / rate));
         context.listener().progress(new Progress(fraction, samples, rate, seconds, secondsLeft, relativeError));
     }
 }

@@ -1,11 +1,16 @@
 package org.daybreak.core.render;
 
 /**
- * When a render ends: at whichever comes first. Only a budget in samples alone is reproducible.
+ * When a render ends: at whichever comes first. A budget in samples or a target error is reproducible, one in seconds is
+ * not.
+ *
+ * <p>The target error is compared with {@link org.daybreak.core.film.Film#relativeError()} after each pass. An image that ends
+ * by it is biased: it is more likely to end when the samples so far happen to agree. The bias is of the order of the target error
+ * squared, and goes to zero faster than the error itself.
  *
  * @param samplesPerPixel samples per pixel; light subpaths per pixel for light tracing
  * @param seconds wall-clock seconds of rendering, infinite for no limit
- * @param targetError stop when the film's relative error estimate falls below this; 0 for never
+ * @param targetError stop after the pass at which the film's relative error estimate is below this; 0 for never
  */
 public record RenderBudget(long samplesPerPixel, double seconds, double targetError) {
     /** Checks the ranges. */

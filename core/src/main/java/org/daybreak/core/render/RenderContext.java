@@ -1,6 +1,7 @@
 package org.daybreak.core.render;
 
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What a render is given besides scene, camera and film. Immutable.
@@ -11,6 +12,9 @@ import java.util.Map;
  * @param antialiasing where image samples are taken
  * @param cancellation asks to stop
  * @param listener hears of progress
+ * @param part which part of the work is done
+ * @param start where an earlier render of the same settings stopped, to go on from there; null to begin
+ * @param checkpoints takes the state of the render from time to time and at its end
  */
 public record RenderContext(
         long seed,
@@ -18,12 +22,26 @@ public record RenderContext(
         RenderBudget budget,
         Antialiasing antialiasing,
         CancellationToken cancellation,
-        RenderListener listener) {
+        RenderListener listener,
+        RenderPart part,
+        @Nullable RenderState start,
+        CheckpointSink checkpoints) {
     /** Checks the number of threads. */
     public RenderContext {
         if (threads < 1) {
             throw new ParameterException("the number of threads must be at least 1 but is " + threads);
         }
+    }
+
+    /** A render from the beginning, of everything, without checkpoints. */
+    public RenderContext(
+            long seed,
+            int threads,
+            RenderBudget budget,
+            Antialiasing antialiasing,
+            CancellationToken cancellation,
+            RenderListener listener) {
+        this(seed, threads, budget, antialiasing, cancellation, listener, RenderPart.WHOLE, null, CheckpointSink.NONE);
     }
 
     /**
@@ -43,6 +61,22 @@ public record RenderContext(
 
     /** The same context with another listener. */
     public RenderContext withListener(RenderListener other) {
-        return new RenderContext(seed, threads, budget, antialiasing, cancellation, other);
+        return new RenderContext(seed, threads, budget, antialiasing, cancellation, other, part, start, checkpoints);
+    }
+
+    /** The same context for a part of the work. */
+    public RenderContext withPart(RenderPart other) {
+        return new RenderContext(
+                seed, threads, budget, antialiasing, cancellation, listener, other, start, checkpoints);
+    }
+
+    /** The same context with a state to go on from, null to begin. */
+    public RenderContext withStart(@Nullable RenderState other) {
+        return new RenderContext(seed, threads, budget, antialiasing, cancellation, listener, part, other, checkpoints);
+    }
+
+    /** The same context with somebody who takes checkpoints. */
+    public RenderContext withCheckpoints(CheckpointSink other) {
+        return new RenderContext(seed, threads, budget, antialiasing, cancellation, listener, part, start, other);
     }
 }

@@ -8,7 +8,8 @@ import java.util.Map;
  *
  * @param renderer identifier of the renderer
  * @param cancelled true if it stopped because it was asked to
- * @param samples image samples (or light subpaths) taken
+ * @param samples image samples (or light subpaths) in the image, those of the render that was continued included
+ * @param resumedSamples how many of them are those
  * @param samplesPerPixel samples per pixel in finished passes
  * @param secondsByPhase wall-clock seconds by phase, in order: {@code prepare}, {@code render}
  * @param raysByKind rays traced by kind, keys as {@link org.daybreak.core.scene.RayKind} in lower case
@@ -22,6 +23,7 @@ public record RenderReport(
         String renderer,
         boolean cancelled,
         long samples,
+        long resumedSamples,
         long samplesPerPixel,
         Map<String, Double> secondsByPhase,
         Map<String, Long> raysByKind,

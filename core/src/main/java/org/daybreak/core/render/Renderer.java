@@ -20,6 +20,15 @@ public interface Renderer {
      * @param context threads, seed, budget, cancellation and listeners
      * @return what was done; {@link RenderReport#cancelled()} if the context was cancelled
      * @throws ParameterException if the settings do not fit the scene
+     * @throws CheckpointException if a checkpoint could not be saved
      */
     RenderReport render(Scene scene, Camera camera, Film film, RenderContext context);
+
+    /**
+     * Whether the renderer can go on from a state, hand out its state and render parts. If not, it ignores these settings of
+     * the context, and programs must not offer them.
+     */
+    default boolean isResumable() {
+        return false;
+    }
 }

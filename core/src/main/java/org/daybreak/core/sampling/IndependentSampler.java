@@ -14,7 +14,7 @@ public final class IndependentSampler extends Sampler {
     }
 
     @Override
-    public void start(long pixelIndex, long sampleIndex) {
+    protected void seat(long pixelIndex, long sampleIndex) {
         stream.seat(seed, domain, pixelIndex, sampleIndex);
     }
 

@@ -48,7 +48,7 @@ public final class SobolSampler extends Sampler {
 
     /** Moves to dimension 0 of a sample; its index must be below 2³². */
     @Override
-    public void start(long pixelIndex, long sampleIndex) {
+    protected void seat(long pixelIndex, long sampleIndex) {
         if (sampleIndex < 0 || sampleIndex >= SAMPLES) {
             throw new IllegalArgumentException("sample index must be 0 to 2^32 - 1, not " + sampleIndex);
         }

@@ -1,6 +1,7 @@
 package org.daybreak.core.sampling;
 
 import org.daybreak.core.math.Scalars;
+import org.daybreak.core.math.Turns;
 
 /**
  * Maps of uniform points of the unit square onto other shapes, each with its density beside it.
@@ -23,20 +24,15 @@ public final class Warps {
     public static void toConcentricDisk(double u, double v, double[] dest) {
         double a = 2 * u - 1;
         double b = 2 * v - 1;
-        double radius;
-        double phi;
         if (Math.abs(a) > Math.abs(b)) {
-            radius = a;
-            phi = Math.PI / 4 * (b / a);
-        } else if (b != 0) {
-            radius = b;
-            phi = Math.PI / 2 - Math.PI / 4 * (a / b);
+            double eighths = b / a;
+            dest[0] = a * Turns.cosEighth(eighths);
+            dest[1] = a * Turns.sinEighth(eighths);
         } else {
-            radius = 0;
-            phi = 0;
+            double eighths = b == 0 ? 0 : a / b;
+            dest[0] = b * Turns.sinEighth(eighths);
+            dest[1] = b * Turns.cosEighth(eighths);
         }
-        dest[0] = radius * Math.cos(phi);
-        dest[1] = radius * Math.sin(phi);
     }
 
     /** Density of {@link #toConcentricDisk} per unit of area. */
@@ -135,9 +131,8 @@ public final class Warps {
     /** Writes the unit vector with z = 1 − oneMinusZ and azimuth 2πv. */
     private static void setSpherical(double oneMinusZ, double v, double[] dest) {
         double sine = Scalars.sqrtClamped(oneMinusZ * (2 - oneMinusZ));
-        double phi = 2 * Math.PI * v;
-        dest[0] = sine * Math.cos(phi);
-        dest[1] = sine * Math.sin(phi);
+        dest[0] = sine * Turns.cos(v);
+        dest[1] = sine * Turns.sin(v);
         dest[2] = 1 - oneMinusZ;
     }
 }

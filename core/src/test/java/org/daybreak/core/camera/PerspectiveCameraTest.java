@@ -40,6 +40,8 @@ class PerspectiveCameraTest {
                 new Case(
                         "mirrored and scaled lens",
                         new PerspectiveCamera(PLACE.multiply(Transform.scale(-5, 5, 5)), 1.2, 30, 40, 0.5, 1.5)),
+                new Case("shifted film", new PerspectiveCamera(PLACE, 0.6, 0.4, 40, 25, 0, 0, 0.3, -0.2)),
+                new Case("flat pixels", new PerspectiveCamera(PLACE, 0.6, 0.2, 40, 25, 0.3, 2, -0.1, 0.2)),
                 new Case("sheared pinhole", new PerspectiveCamera(shear, 0.8, 40, 25, 0, 0)),
                 new Case("sheared lens", new PerspectiveCamera(shear, 0.8, 40, 25, 0.3, 2)));
     }

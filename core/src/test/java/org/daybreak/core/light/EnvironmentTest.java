@@ -140,7 +140,8 @@ class EnvironmentTest {
             assertTrue(light.incidentDensity(0, 0, 0, unused, 0, 0.6, 0.8) > 0);
             light.radiance(unused, 0, -0.6, -0.8, radiance);
             assertTrue(radiance.max() > 0);
-            assertEquals(0, LightSelections.forLights(java.util.List.of(light)).choose(0, 0, 0, 0, 1, 0, 0.5));
+            assertTrue(LightSelections.forLights(java.util.List.of(light))
+                    .choose(0, 0, 0, 0, 1, 0, 0.5, new LightChoice()));
         }
     }
 

@@ -2,7 +2,11 @@ package org.daybreak.core.light;
 
 import java.util.ArrayList;
 import java.util.List;
+import javax.vecmath.Color3f;
+import javax.vecmath.Vector3d;
 import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.geometry.Cube;
+import org.daybreak.core.geometry.Rectangle;
 import org.daybreak.core.geometry.SurfaceCase;
 import org.daybreak.core.math.Transform;
 
@@ -25,6 +29,12 @@ final class LightCases {
         cases.addAll(area(false));
         cases.addAll(area(true));
         cases.addAll(points());
+        Transform place = Transform.translate(0.4, 0.3, -0.2).multiply(TURN);
+        TestTexture pattern = new TestTexture(3, 2, 1, true);
+        cases.add(new Case("patterned rectangle", AreaLight.of(new Rectangle(), place, false, 0, pattern, 7)));
+        cases.add(new Case("patterned cube", AreaLight.of(new Cube(), place, false, 100, pattern, 7)));
+        cases.add(directional());
+        cases.add(new Case("setting sun", sun(0.05, 20)));
         cases.addAll(infinite());
         return cases;
     }
@@ -45,12 +55,25 @@ final class LightCases {
                 new Case("point", new PointLight(0.4, 0.3, -0.2, new Spectrum(3, 2, 1))),
                 new Case("spot", new SpotLight(place, new Spectrum(3, 2, 1), 40, 15)),
                 new Case("spot with sharp edge", new SpotLight(place, new Spectrum(3, 2, 1), 70, 70)),
-                new Case("wide spot", new SpotLight(place, new Spectrum(3, 2, 1), 180, 0)));
+                new Case("wide spot", new SpotLight(place, new Spectrum(3, 2, 1), 180, 0)),
+                new Case(
+                        "spot with slide",
+                        new SpotLight(place, new Spectrum(3, 2, 1), 40, 15, new TestTexture(1, 0.5, 0.3, true))),
+                new Case("luminaire", new PhotometricLight(profile(), new Spectrum(300, 200, 100), place)),
+                new Case("round luminaire", new PhotometricLight(roundProfile(), new Spectrum(300, 200, 100), place)));
     }
 
+    static Case directional() {
+        return new Case("directional", new DirectionalLight(0.3, -2, 0.4, new Spectrum(3, 2, 1), 0.5, -0.5, 1, 2.5));
+    }
+
+    /** Lights at infinity that rays can hit. */
     static List<Case> infinite() {
         return List.of(
                 new Case("constant", new ConstantEnvironment(new Spectrum(3, 2, 1), 0.5, -0.5, 1, 2.5)),
+                new Case("sky", sky(SkySettings.Kind.HOSEK_WILKIE, 0.5)),
+                new Case("Preetham's sky", sky(SkySettings.Kind.PREETHAM, 0.1)),
+                new Case("sun", sun(0.5, 20)),
                 new Case("panorama", environment(panorama(8, 5), TURN)),
                 new Case(
                         "panorama with shear",
@@ -61,6 +84,32 @@ final class LightCases {
                 new Case("sun on the seam", environment(spots(16, 9, 15, 3), TURN)),
                 new Case("single row", environment(panorama(4, 1), TURN)),
                 new Case("single column", environment(panorama(1, 6), TURN)));
+    }
+
+    /** A profile with different values everywhere, symmetric about one plane, which ends at the horizon. */
+    static PhotometricProfile profile() {
+        double[] candela = new double[3 * 4];
+        for (int i = 0; i < candela.length; i++) {
+            candela[i] = 50 + i * 37 % 100;
+        }
+        return new PhotometricProfile(new double[] {0, 30, 60, 90}, new double[] {0, 90, 180}, candela);
+    }
+
+    static PhotometricProfile roundProfile() {
+        return new PhotometricProfile(
+                new double[] {0, 45, 90, 135, 180}, new double[] {0}, new double[] {10, 200, 100, 50, 0});
+    }
+
+    static SkySettings settings(SkySettings.Kind kind, double height) {
+        return new SkySettings(kind, 3, new Color3f(0.2f, 0.3f, 0.1f), new Vector3d(0.6, 0.3, height));
+    }
+
+    static SkyLight sky(SkySettings.Kind kind, double height) {
+        return new SkyLight(settings(kind, height), 2, TURN, 0.5, -0.5, 1, 2.5);
+    }
+
+    static SunLight sun(double height, double aperture) {
+        return new SunLight(settings(SkySettings.Kind.HOSEK_WILKIE, height), aperture, 2, TURN, 0.5, -0.5, 1, 2.5);
     }
 
     static ImageEnvironment environment(RadianceMap map, Transform toWorld) {

@@ -1,10 +1,12 @@
 package org.daybreak.core.light;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import javax.vecmath.Point3d;
 import org.daybreak.core.color.Spectrum;
@@ -15,6 +17,7 @@ import org.daybreak.core.math.Transform;
 import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.StreamDomain;
 import org.daybreak.core.testing.ChiSquareTest;
+import org.daybreak.core.testing.Moments;
 import org.daybreak.core.testing.Significance;
 import org.daybreak.core.testing.ZTest;
 import org.junit.jupiter.api.Test;
@@ -50,32 +53,47 @@ class LightSelectionTest {
     void probabilitiesSumToOneAndAreTheFrequencies() {
         RandomStream random = new RandomStream(1, StreamDomain.SELF_CHECK, 0, 0);
         List<Light> lights = lights();
-        LightSelection[] selections = {new ImportanceLightSelection(lights), new PowerLightSelection(lights)};
+        LightSelection[] selections = {
+            new ImportanceLightSelection(lights), new PowerLightSelection(lights), new LightTreeSelection(lights)
+        };
+        LightChoice choice = new LightChoice();
         int points = 10;
         for (LightSelection selection : selections) {
             for (int k = 0; k < points; k++) {
                 double[] p = {4 * random.nextDouble() - 2, 4 * random.nextDouble() - 2, 4 * random.nextDouble() - 2};
                 double ny = k % 3 == 0 ? 0 : 1;
                 int samples = 20_000;
-                long[] counts = new long[lights.size()];
-                double[] expected = new double[lights.size()];
+                // One more for failure, as when all of a leaf that seemed possible is behind the horizon.
+                long[] counts = new long[lights.size() + 1];
+                double[] expected = new double[lights.size() + 1];
                 double sum = 0;
-                for (int i = 0; i < expected.length; i++) {
+                for (int i = 0; i < lights.size(); i++) {
                     double probability = selection.probability(i, p[0], p[1], p[2], 0, ny, 0);
                     sum += probability;
                     expected[i] = samples * probability;
                 }
-                assertEquals(1, sum, 1e-12);
+                if (selection instanceof LightTreeSelection) {
+                    assertTrue(sum <= 1 + 1e-12 && sum > 0.5);
+                    expected[lights.size()] = samples * Math.max(0, 1 - sum);
+                } else {
+                    assertEquals(1, sum, 1e-12);
+                }
                 for (int i = 0; i < samples; i++) {
-                    counts[selection.choose(p[0], p[1], p[2], 0, ny, 0, random.nextDouble())]++;
+                    if (selection.choose(p[0], p[1], p[2], 0, ny, 0, random.nextDouble(), choice)) {
+                        counts[choice.light]++;
+                        double own = selection.probability(choice.light, p[0], p[1], p[2], 0, ny, 0);
+                        assertEquals(own, choice.probability, 1e-15);
+                    } else {
+                        counts[lights.size()]++;
+                    }
                 }
                 for (int i = 0; i < counts.length; i++) {
-                    assertTrue(expected[i] > 0 || counts[i] == 0);
+                    assertTrue(expected[i] > 0 || counts[i] == 0, "light " + i);
                 }
                 ZTest.assertNotRejected(
                         "choice",
                         ChiSquareTest.compare("choice", counts, expected).pValue(),
-                        Significance.sidak(SIGNIFICANCE, 2 * points));
+                        Significance.sidak(SIGNIFICANCE, selections.length * points));
             }
         }
     }
@@ -156,31 +174,106 @@ class LightSelectionTest {
     @Test
     void nothingIsChosenFromNothing() {
         LightSelection none = LightSelections.forLights(List.of());
-        assertEquals(-1, none.choose(0, 0, 0, 0, 0, 1, 0.5));
+        LightChoice choice = new LightChoice();
+        assertFalse(none.choose(0, 0, 0, 0, 0, 1, 0.5, choice));
+        assertFalse(new PowerLightSelection(List.of()).choose(0, 0, 0, 0, 0, 1, 0.5, choice));
         assertEquals(-1, none.chooseForEmission(0.5));
         // Lights behind the horizon cannot reach the point.
         LightSelection two = LightSelections.forLights(List.of(
                 new PointLight(0, 0, -1, new Spectrum(1, 1, 1)), new PointLight(1, 0, -1, new Spectrum(1, 1, 1))));
-        assertEquals(-1, two.choose(0, 0, 0, 0, 0, 1, 0.5));
+        assertFalse(two.choose(0, 0, 0, 0, 0, 1, 0.5, choice));
         assertEquals(0, two.probability(0, 0, 0, 0, 0, 0, 1));
-        assertEquals(1, two.choose(0, 0, 0, 0, 0, -1, 0.999));
+        assertTrue(two.choose(0, 0, 0, 0, 0, -1, 0.999, choice));
+        assertEquals(1, choice.light);
         assertEquals(1, two.probability(0, 0, 0, 0, 0, 0, -1) + two.probability(1, 0, 0, 0, 0, 0, -1), 1e-15);
     }
 
     @Test
     void aSingleLightIsAlwaysChosen() {
         LightSelection one = LightSelections.forLights(List.of(new PointLight(0, 0, -1, new Spectrum(1, 1, 1))));
-        assertEquals(0, one.choose(0, 0, 0, 0, 0, 1, 0.5));
+        LightChoice choice = new LightChoice();
+        assertTrue(one.choose(0, 0, 0, 0, 0, 1, 0.5, choice));
+        assertEquals(0, choice.light);
+        assertEquals(1, choice.probability);
         assertEquals(1, one.probability(0, 0, 0, 0, 0, 0, 1));
     }
 
     @Test
-    void manyLightsAreChosenByPower() {
+    void manyLightsAreChosenByATree() {
         Light light = new PointLight(0, 0, -1, new Spectrum(1, 1, 1));
-        assertInstanceOf(
-                ImportanceLightSelection.class, LightSelections.forLights(java.util.Collections.nCopies(32, light)));
-        LightSelection many = LightSelections.forLights(java.util.Collections.nCopies(40, light));
-        assertInstanceOf(PowerLightSelection.class, many);
-        assertEquals(1.0 / 40, many.probability(17, 1, 2, 3, 0, 0, 1), 1e-12);
+        assertInstanceOf(ImportanceLightSelection.class, LightSelections.forLights(Collections.nCopies(32, light)));
+        LightSelection many = LightSelections.forLights(Collections.nCopies(40, light));
+        assertInstanceOf(LightTreeSelection.class, many);
+        double sum = 0;
+        for (int i = 0; i < 40; i++) {
+            sum += many.probability(i, 1, 2, 3, 0, 0, 0);
+        }
+        assertEquals(1, sum, 1e-12);
+    }
+
+    /** Lamps of all kinds in a hall: of each point, the tree chooses the ones that matter. */
+    @Test
+    void treesFollowTheContribution() {
+        RandomStream random = new RandomStream(5, StreamDomain.SELF_CHECK, 0, 0);
+        List<Light> lights = new ArrayList<>();
+        for (int i = 0; i < 3000; i++) {
+            double x = 100 * random.nextDouble();
+            double z = 100 * random.nextDouble();
+            double bright = Math.exp(2 * random.nextDouble());
+            Transform down = Transform.translate(x, 5, z)
+                    .multiply(Transform.rotate(1, 0, 0, 90 + 20 * random.nextDouble()))
+                    .multiply(Transform.scale(0.2, 0.1, 0.3));
+            lights.add(
+                    switch (i % 3) {
+                        case 0 -> new PointLight(x, 4, z, new Spectrum(bright, bright, bright));
+                        case 1 -> new SpotLight(down, new Spectrum(bright, bright, bright), 35, 20);
+                        default ->
+                            new AreaLight(
+                                    SurfaceSamplers.of(new Rectangle(), down, false),
+                                    new TestTexture(40 * bright, 40 * bright, 40 * bright, false),
+                                    i);
+                    });
+        }
+        lights.add(new ConstantEnvironment(new Spectrum(0.01, 0.01, 0.01), 50, 0, 50, 80));
+        lights.add(new DirectionalLight(1, -1, 0, new Spectrum(0.02, 0.02, 0.02), 50, 0, 50, 80));
+        LightSelection tree = new LightTreeSelection(lights);
+        LightSelection power = new PowerLightSelection(lights);
+        LightChoice choice = new LightChoice();
+        double treeSpread = 0;
+        double powerSpread = 0;
+        int points = 20;
+        for (int k = 0; k < points; k++) {
+            double px = 100 * random.nextDouble();
+            double pz = 100 * random.nextDouble();
+            double truth = 0;
+            for (int i = 0; i < lights.size(); i++) {
+                double importance = lights.get(i).importance(px, 0, pz, 0, 1, 0);
+                truth += importance;
+                assertTrue(!(importance > 0) || tree.probability(i, px, 0, pz, 0, 1, 0) > 0);
+            }
+            Moments byTree = irradiance(tree, lights, px, pz, 20_000, random, choice);
+            Moments byPower = irradiance(power, lights, px, pz, 20_000, random, choice);
+            ZTest.assertNotRejected("tree", ZTest.oneSample(byTree, truth), Significance.sidak(SIGNIFICANCE, points));
+            treeSpread += byTree.variance() / (truth * truth);
+            powerSpread += byPower.variance() / (truth * truth);
+        }
+        assertTrue(treeSpread < 0.05 * powerSpread, treeSpread + " against " + powerSpread);
+        assertTrue(treeSpread < 3 * points, "relative variance " + treeSpread / points);
+    }
+
+    private static Moments irradiance(
+            LightSelection selection,
+            List<Light> lights,
+            double px,
+            double pz,
+            int samples,
+            RandomStream random,
+            LightChoice choice) {
+        Moments moments = new Moments();
+        for (int i = 0; i < samples; i++) {
+            boolean chosen = selection.choose(px, 0, pz, 0, 1, 0, random.nextDouble(), choice);
+            moments.add(chosen ? lights.get(choice.light).importance(px, 0, pz, 0, 1, 0) / choice.probability : 0);
+        }
+        return moments;
     }
 }

@@ -1,7 +1,6 @@
 package org.daybreak.core.light;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.lang.management.ManagementFactory;
@@ -97,14 +96,14 @@ class LightTest {
             }
             emitted++;
             assertEquals(1, norm(sample.dx, sample.dy, sample.dz), 1e-12);
-            assertEquals(light.isDelta(), sample.deltaPosition);
-            assertFalse(sample.deltaDirection);
+            assertEquals(light.isDelta() && !light.isInfinite(), sample.deltaPosition);
+            assertEquals(light.isDelta() && light.isInfinite(), sample.deltaDirection);
             light.emissionDensity(sample.point, sample.dx, sample.dy, sample.dz, density);
             assertEquals(sample.densityPosition, density.position, 1e-7 * density.position);
             assertEquals(sample.densityDirection, density.direction, 1e-6 * density.direction);
             light.radiance(sample.point, sample.dx, sample.dy, sample.dz, radiance);
             if (light.isDelta()) {
-                assertEquals(1, sample.densityPosition);
+                assertEquals(1, sample.deltaPosition ? sample.densityPosition : sample.densityDirection);
                 assertTrue(radiance.isBlack());
                 continue;
             }
@@ -290,9 +289,12 @@ class LightTest {
         EmissionSample emission = new EmissionSample();
         EmissionDensity density = new EmissionDensity();
         Spectrum radiance = new Spectrum();
+        LightChoice choice = new LightChoice();
         List<LightCases.Case> cases = cases();
         LightSelection selection = LightSelections.forLights(
                 cases.stream().limit(30).map(LightCases.Case::light).toList());
+        LightSelection tree = new LightTreeSelection(
+                cases.stream().map(LightCases.Case::light).toList());
         RandomStream random = new RandomStream(5, StreamDomain.SELF_CHECK, 0, 0);
         long before = 0;
         int rounds = 200;
@@ -310,8 +312,12 @@ class LightTest {
                     light.emissionDensity(emission.point, emission.dx, emission.dy, emission.dz, density);
                     light.radiance(emission.point, emission.dx, emission.dy, emission.dz, radiance);
                 }
-                int chosen = selection.choose(px, 0.5, -1, 0, 1, 0, random.nextDouble());
-                selection.probability(Math.max(0, chosen), px, 0.5, -1, 0, 1, 0);
+                if (selection.choose(px, 0.5, -1, 0, 1, 0, random.nextDouble(), choice)) {
+                    selection.probability(choice.light, px, 0.5, -1, 0, 1, 0);
+                }
+                if (tree.choose(px, 0.5, -1, 0, 1, 0, random.nextDouble(), choice)) {
+                    tree.probability(choice.light, px, 0.5, -1, 0, 1, 0);
+                }
                 selection.emissionProbability(selection.chooseForEmission(random.nextDouble()));
             }
         }

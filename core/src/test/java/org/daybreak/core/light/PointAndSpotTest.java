@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.geometry.SurfacePoint;
+import org.daybreak.core.material.Texture;
 import org.daybreak.core.math.Transform;
 import org.junit.jupiter.api.Test;
 
@@ -77,5 +79,65 @@ class PointAndSpotTest {
                 IllegalArgumentException.class,
                 () -> new SpotLight(Transform.identity(), new Spectrum(1, 1, 1), cutoff, beam));
         assertTrue(e.getMessage().contains(part), e.getMessage());
+    }
+
+    /** Texture coordinates from Mitsuba 3.9.1: a slide of u and v, cutoff 40°, at (a, b, 1) before the light. */
+    @Test
+    void slidesAreProjectedAsInMitsuba() {
+        Texture coordinates = new Texture() {
+            @Override
+            public void evaluate(SurfacePoint point, Spectrum out) {
+                out.set(Math.floor(8 * point.u) / 8, Math.floor(8 * point.v) / 8, 0.5);
+            }
+
+            @Override
+            public double evaluateScalar(SurfacePoint point) {
+                return 0;
+            }
+
+            @Override
+            public void mean(Spectrum out) {
+                out.set(0.5, 0.5, 0.5);
+            }
+
+            @Override
+            public double maximum() {
+                return 1;
+            }
+        };
+        Light light = new SpotLight(Transform.identity(), new Spectrum(1, 1, 1), 40, 40, coordinates);
+        double[][] table = {{0.1, 0.05, 0.5, 0.5}, {0.5, 0, 0.75, 0.5}, {0, 0.5, 0.5, 0.75}, {-0.3, 0.4, 0.25, 0.625}};
+        for (double[] row : table) {
+            assertTrue(light.sampleIncident(row[0], row[1], 1, 0.5, 0.5, sample));
+            double squared = row[0] * row[0] + row[1] * row[1] + 1;
+            assertEquals(row[2], sample.weight.r * squared, 1e-12);
+            assertEquals(row[3], sample.weight.g * squared, 1e-12);
+        }
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> new SpotLight(Transform.identity(), new Spectrum(1, 1, 1), 90, 40, coordinates));
+    }
+
+    @Test
+    void profilesAreBilinearAndSymmetric() {
+        PhotometricProfile profile =
+                new PhotometricProfile(new double[] {0, 90}, new double[] {0, 90}, new double[] {100, 0, 100, 300});
+        assertEquals(100, profile.candela(0, 0, 1), 1e-9);
+        double half = Math.sqrt(0.5);
+        assertEquals(50, profile.candela(half, 0, half), 1e-9);
+        assertEquals(200, profile.candela(0, half, half), 1e-9);
+        assertEquals(200, profile.candela(0, -half, half), 1e-9);
+        assertEquals(125, profile.candela(-0.5, 0.5, half), 1e-9);
+        assertEquals(125, profile.candela(-0.5, -0.5, half), 1e-9);
+        assertEquals(0, profile.candela(half, 0, -half));
+        assertEquals(300, profile.maximum());
+        // 1000 cd in all directions are 1000/683 W/sr.
+        Light even = new PhotometricLight(
+                new PhotometricProfile(new double[] {0, 180}, new double[] {0}, new double[] {1000, 1000}),
+                new Spectrum(1, 1, 1),
+                Transform.translate(0, 0, 2));
+        assertTrue(even.sampleIncident(0, 0, 0, 0.5, 0.5, sample));
+        assertEquals(1000 / 683.002 / 4, sample.weight.g, 1e-9);
+        assertEquals(4 * Math.PI * 1000 / 683.002, even.power(), 1e-9);
     }
 }

@@ -156,4 +156,55 @@ final class OrderedWorkTest {
         work.run(2);
         assertTrue(watched.get() >= 3);
     }
+
+    /** Every tenth unit needs all before it: it is described after they were committed. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 7})
+    void unitsThatNeedCommitsWaitForThem(int threads) {
+        List<Integer> committedAtClaim = new ArrayList<>();
+        List<Long> results = new ArrayList<>();
+        new OrderedWork<long[]>() {
+            private long claimed;
+
+            @Override
+            protected long[] newSlot() {
+                return new long[1];
+            }
+
+            @Override
+            protected Worker<long[]> newWorker() {
+                return (unit, slot) -> slot[0] = unit;
+            }
+
+            @Override
+            protected boolean needsCommits() {
+                return claimed % 10 == 0;
+            }
+
+            @Override
+            protected boolean claim(long unit, long[] slot) {
+                if (unit % 10 == 0) {
+                    synchronized (results) {
+                        committedAtClaim.add(results.size());
+                    }
+                }
+                claimed = unit + 1;
+                return unit < 95;
+            }
+
+            @Override
+            protected void commit(long unit, long[] slot) {
+                synchronized (results) {
+                    results.add(slot[0]);
+                }
+            }
+
+            @Override
+            protected void watch() {
+                // Nobody looks.
+            }
+        }.run(threads);
+        assertEquals(List.of(0, 10, 20, 30, 40, 50, 60, 70, 80, 90), committedAtClaim);
+        assertEquals(95, results.size());
+    }
 }

@@ -120,6 +120,27 @@ class SamplerTest {
     }
 
     @ParameterizedTest
+    @MethodSource("samplers")
+    void branchesAreTheSamplesOfADenserSet(Sampler sampler) {
+        Sampler dense = sampler.copy();
+        for (int sample = 0; sample < 5; sample++) {
+            for (int branch = 0; branch < 3; branch++) {
+                sampler.start(7, sample);
+                sampler.next();
+                sampler.branch(branch, 3);
+                dense.start(7, 3 * sample + branch);
+                for (int d = 0; d < 6; d++) {
+                    assertEquals(dense.next(), sampler.next());
+                }
+            }
+            // The sample itself is not lost.
+            sampler.branch(0, 1);
+            dense.start(7, sample);
+            assertEquals(dense.next(), sampler.next());
+        }
+    }
+
+    @ParameterizedTest
     @ValueSource(ints = {2, 3, 4, 8, 16})
     void everyBlockOfSamplesIsANetInEachGroup(int groupSize) {
         SobolSampler sampler = new SobolSampler(5, StreamDomain.PIXEL, groupSize);

@@ -5,8 +5,10 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.daybreak.scenes.description.ObjectDescription;
@@ -17,6 +19,7 @@ import org.daybreak.scenes.description.SceneDescription;
 import org.daybreak.scenes.description.SourceLocation;
 import org.daybreak.scenes.description.Value;
 import org.daybreak.scenes.image.ImageLoader;
+import org.daybreak.scenes.model.ModelReader;
 import org.jspecify.annotations.Nullable;
 
 /** What all builders of one scene share: the description, the problems, images, and which objects are being built. */
@@ -29,11 +32,18 @@ final class BuildContext {
     private final ProblemList problems;
     private final IdentityHashMap<ObjectDescription, Properties> checked = new IdentityHashMap<>();
     private final List<ObjectDescription> building = new ArrayList<>();
+    private final Set<Path> files = new LinkedHashSet<>();
 
     BuildContext(SceneDescription description, ImageLoader images, ProblemList problems) {
         this.description = description;
         this.images = images;
         this.problems = problems;
+        files.addAll(description.files());
+    }
+
+    /** All files that the scene was read from so far, the main file first. */
+    List<Path> files() {
+        return List.copyOf(files);
     }
 
     ImageLoader images() {
@@ -123,9 +133,14 @@ final class BuildContext {
      * @return the file, or null if it is not there or cannot be read, which is reported
      */
     @Nullable
-    Path file(String name, SourceLocation location) {
+    Path file(String given, SourceLocation location) {
         Path found;
         try {
+            // Programs on Windows write the separators of their system.
+            String name =
+                    given.indexOf('\\') >= 0 && !Files.exists(location.file().resolveSibling(given))
+                            ? given.replace('\\', '/')
+                            : given;
             found = location.file().resolveSibling(name);
             List<Path> others = new ArrayList<>();
             others.add(description.file().resolveSibling(name));
@@ -138,7 +153,7 @@ final class BuildContext {
                 }
             }
         } catch (InvalidPathException e) {
-            error(location, "'" + name + "' is no file name: " + e.getReason());
+            error(location, "'" + given + "' is no file name: " + e.getReason());
             return null;
         }
         String problem = null;
@@ -155,12 +170,18 @@ final class BuildContext {
             error(location, problem);
             return null;
         }
+        files.add(found);
         return found;
     }
 
     /** The scene's main object. */
     ObjectDescription root() {
         return description.root();
+    }
+
+    /** Whether the description is that of a model, which gets camera and light elsewhere. */
+    boolean isModel() {
+        return description.root().type().equals(ModelReader.MODEL);
     }
 
     static String article(ObjectKind kind) {

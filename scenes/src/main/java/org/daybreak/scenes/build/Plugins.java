@@ -1,6 +1,5 @@
 package org.daybreak.scenes.build;
 
-import static org.daybreak.scenes.build.PropertyDefinition.choice;
 import static org.daybreak.scenes.build.PropertyDefinition.objects;
 import static org.daybreak.scenes.build.PropertyDefinition.optional;
 import static org.daybreak.scenes.build.PropertyDefinition.value;
@@ -12,12 +11,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.daybreak.scenes.description.ObjectKind;
+import org.daybreak.scenes.model.ModelReader;
 import org.jspecify.annotations.Nullable;
 
 /** The table of all types of objects that scene files may contain. Defaults are those of Mitsuba 3.9. */
 public final class Plugins {
-    private static final int MANY = Integer.MAX_VALUE;
-    private static final String NO_EFFECT = "Accepted, has no effect.";
+    static final int MANY = Integer.MAX_VALUE;
+    static final String NO_EFFECT = "Accepted, has no effect.";
     private static final List<PluginDefinition> ALL = all();
     private static final Map<ObjectKind, Map<String, PluginDefinition>> BY_KIND = byKind();
 
@@ -43,14 +43,19 @@ public final class Plugins {
         for (PluginDefinition p : ALL) {
             map.computeIfAbsent(p.kind(), k -> new LinkedHashMap<>()).put(p.type(), p);
         }
+        map.computeIfAbsent(ObjectKind.SCENE, k -> new LinkedHashMap<>()).put(ModelReader.MODEL, model());
+        PluginDefinition mesh = ShapePlugins.meshInMemory();
+        map.computeIfAbsent(mesh.kind(), k -> new LinkedHashMap<>()).put(mesh.type(), mesh);
         return map;
     }
 
-    private static PluginDefinition plugin(ObjectKind kind, String type, String doc, PropertyDefinition... properties) {
+    /** A type with its properties. */
+    static PluginDefinition plugin(ObjectKind kind, String type, String doc, PropertyDefinition... properties) {
         return new PluginDefinition(kind, type, doc, Arrays.asList(properties));
     }
 
-    private static PropertyDefinition[] join(List<PropertyDefinition> shared, PropertyDefinition... own) {
+    /** Own properties followed by shared ones. */
+    static PropertyDefinition[] join(List<PropertyDefinition> shared, PropertyDefinition... own) {
         List<PropertyDefinition> list = new ArrayList<>(Arrays.asList(own));
         list.addAll(shared);
         return list.toArray(new PropertyDefinition[0]);
@@ -60,13 +65,13 @@ public final class Plugins {
         List<PluginDefinition> list = new ArrayList<>();
         list.add(scene());
         addIntegrators(list);
-        addSensors(list);
-        addFilms(list);
+        SensorPlugins.addTo(list);
+        FilmPlugins.addTo(list);
         addSamplers(list);
-        addShapes(list);
-        addBsdfs(list);
-        addTextures(list);
-        addEmitters(list);
+        ShapePlugins.addTo(list);
+        BsdfPlugins.addTo(list);
+        TexturePlugins.addTo(list);
+        EmitterPlugins.addTo(list);
         return Collections.unmodifiableList(list);
     }
 
@@ -83,6 +88,18 @@ public final class Plugins {
                 objects(ObjectKind.TEXTURE, 0, MANY, "Textures to refer to."));
     }
 
+    /** The root of a model's description; scene files do not name it. */
+    private static PluginDefinition model() {
+        return plugin(
+                ObjectKind.SCENE,
+                ModelReader.MODEL,
+                "A model that may lack camera and light.",
+                objects(ObjectKind.SENSOR, 0, MANY, "The cameras, of which the first is used."),
+                objects(ObjectKind.SHAPE, 0, MANY, "Geometry."),
+                objects(ObjectKind.EMITTER, 0, MANY, "Lights that are not on a shape."),
+                objects(ObjectKind.BSDF, 0, MANY, "Materials to refer to."));
+    }
+
     private static void addIntegrators(List<PluginDefinition> list) {
         List<PropertyDefinition> depths = List.of(
                 value(
@@ -94,7 +111,7 @@ public final class Plugins {
                 value("rr_depth", ValueType.INTEGER, "5", "Length from which Russian roulette may end a path.")
                         .between(1, Integer.MAX_VALUE));
         List<PropertyDefinition> common = List.of(
-                value("hide_emitters", ValueType.BOOLEAN, "false", "Must be false: lights are always visible."),
+                value("hide_emitters", ValueType.BOOLEAN, "false", "Has no effect: lights are always visible."),
                 optional("samples_per_pass", ValueType.INTEGER, NO_EFFECT),
                 optional("block_size", ValueType.INTEGER, NO_EFFECT));
         list.add(plugin(ObjectKind.INTEGRATOR, "path", "Path tracer: renderer 'path'.", join(common, join(depths))));
@@ -114,98 +131,6 @@ public final class Plugins {
                 join(common, join(depths))));
     }
 
-    private static void addSensors(List<PluginDefinition> list) {
-        List<PropertyDefinition> common = List.of(
-                optional("fov", ValueType.FLOAT, "Opening angle in degrees; excludes focal_length.")
-                        .between(1e-4, 179.9999),
-                choice(
-                        "fov_axis",
-                        "x",
-                        List.of("x", "y", "diagonal", "smaller", "larger"),
-                        "Side of the image that fov refers to."),
-                value(
-                        "focal_length",
-                        ValueType.STRING,
-                        "50mm",
-                        "Focal length for 35 mm film: fov across the diagonal of 36x24 mm."),
-                optional(
-                        "to_world", ValueType.TRANSFORM, "Camera to world, without scaling; looks along +z, +y is up."),
-                value("near_clip", ValueType.FLOAT, "0.01", "Nothing is clipped; other values give a warning.")
-                        .positive(),
-                value("far_clip", ValueType.FLOAT, "10000", "Nothing is clipped; default focus distance.")
-                        .positive(),
-                value("principal_point_offset_x", ValueType.FLOAT, "0", "Must be 0.")
-                        .between(0, 0),
-                value("principal_point_offset_y", ValueType.FLOAT, "0", "Must be 0.")
-                        .between(0, 0),
-                value("shutter_open", ValueType.FLOAT, "0", NO_EFFECT),
-                value("shutter_close", ValueType.FLOAT, "0", NO_EFFECT),
-                objects(ObjectKind.FILM, 0, 1, "The image."),
-                objects(ObjectKind.SAMPLER, 0, 1, "Samples per pixel."));
-        list.add(plugin(ObjectKind.SENSOR, "perspective", "Pinhole camera.", join(common)));
-        list.add(plugin(
-                ObjectKind.SENSOR,
-                "thinlens",
-                "Camera with depth of field.",
-                join(
-                        common,
-                        optional(
-                                        "aperture_radius",
-                                        ValueType.FLOAT,
-                                        "Radius of the lens in world units; 0 for a pinhole.")
-                                .between(0, Double.MAX_VALUE)
-                                .asRequired(),
-                        optional("focus_distance", ValueType.FLOAT, "Distance of what is sharp; default far_clip.")
-                                .positive())));
-    }
-
-    private static void addFilms(List<PluginDefinition> list) {
-        list.add(plugin(
-                ObjectKind.FILM,
-                "hdrfilm",
-                "Image of linear values. Output formats are chosen on the command line.",
-                value("width", ValueType.INTEGER, "768", "Width in pixels.").between(1, 65_536),
-                value("height", ValueType.INTEGER, "576", "Height in pixels.").between(1, 65_536),
-                value("crop_offset_x", ValueType.INTEGER, "0", "First column to render.")
-                        .between(0, 65_535),
-                value("crop_offset_y", ValueType.INTEGER, "0", "First row to render.")
-                        .between(0, 65_535),
-                optional("crop_width", ValueType.INTEGER, "Columns to render; default all.")
-                        .between(1, 65_536),
-                optional("crop_height", ValueType.INTEGER, "Rows to render; default all.")
-                        .between(1, 65_536),
-                choice(
-                        "pixel_format",
-                        "rgb",
-                        List.of("luminance", "luminance_alpha", "rgb", "rgba", "xyz", "xyza"),
-                        NO_EFFECT),
-                choice("component_format", "float16", List.of("float16", "float32", "uint32"), NO_EFFECT),
-                choice("file_format", "openexr", List.of("openexr", "exr", "rgbe", "pfm"), NO_EFFECT),
-                optional("sample_border", ValueType.BOOLEAN, NO_EFFECT),
-                optional("compensate", ValueType.BOOLEAN, NO_EFFECT),
-                optional("banner", ValueType.BOOLEAN, NO_EFFECT),
-                objects(ObjectKind.RFILTER, 0, 1, "Reconstruction filter; gaussian if there is none.")));
-        list.add(plugin(ObjectKind.RFILTER, "box", "Every sample belongs to the pixel it lies in."));
-        list.add(plugin(
-                ObjectKind.RFILTER,
-                "tent",
-                "Linear fall-off.",
-                value("radius", ValueType.FLOAT, "1", "Half-width in pixels.").between(0.5, 16)));
-        list.add(plugin(
-                ObjectKind.RFILTER,
-                "gaussian",
-                "Gaussian, cut at four standard deviations.",
-                value("stddev", ValueType.FLOAT, "0.5", "Standard deviation in pixels.")
-                        .between(0.125, 4)));
-        list.add(plugin(
-                ObjectKind.RFILTER,
-                "mitchell",
-                "Cubic of Mitchell and Netravali, radius 2. C must be (1 - B) / 2.",
-                value("B", ValueType.FLOAT, "0.3333333333333333", "First parameter."),
-                value("C", ValueType.FLOAT, "0.3333333333333333", "Second parameter.")));
-        list.add(plugin(ObjectKind.RFILTER, "catmullrom", "Catmull-Rom cubic: mitchell with B = 0, C = 1/2."));
-    }
-
     private static void addSamplers(List<PluginDefinition> list) {
         for (String type : List.of("independent", "stratified", "multijitter", "orthogonal", "ldsampler")) {
             list.add(plugin(
@@ -218,217 +143,5 @@ public final class Plugins {
                     optional("jitter", ValueType.BOOLEAN, NO_EFFECT),
                     optional("strength", ValueType.INTEGER, NO_EFFECT)));
         }
-    }
-
-    private static void addShapes(List<PluginDefinition> list) {
-        List<PropertyDefinition> common = List.of(
-                optional("to_world", ValueType.TRANSFORM, "Shape to world."),
-                value("flip_normals", ValueType.BOOLEAN, "false", "Exchanges front and back."),
-                objects(
-                        ObjectKind.BSDF,
-                        0,
-                        1,
-                        "Material; diffuse with reflectance 0.5 if there is none, 0 on a shape that emits."),
-                objects(ObjectKind.EMITTER, 0, 1, "Makes the shape a light."));
-        PropertyDefinition file =
-                optional("filename", ValueType.FILE, "The file.").asRequired();
-        PropertyDefinition faceNormals = value(
-                "face_normals",
-                ValueType.BOOLEAN,
-                "false",
-                "Flat triangles. Otherwise normals are those of the file or, if it has none, computed.");
-        list.add(plugin(
-                ObjectKind.SHAPE,
-                "obj",
-                "Wavefront OBJ mesh.",
-                join(
-                        common,
-                        file,
-                        faceNormals,
-                        value(
-                                "flip_tex_coords",
-                                ValueType.BOOLEAN,
-                                "true",
-                                "Turns v into 1 - v, as images start at the top."))));
-        list.add(plugin(
-                ObjectKind.SHAPE,
-                "ply",
-                "PLY mesh, ASCII or binary.",
-                join(
-                        common,
-                        file,
-                        faceNormals,
-                        value("flip_tex_coords", ValueType.BOOLEAN, "false", "Turns v into 1 - v."))));
-        list.add(plugin(
-                ObjectKind.SHAPE,
-                "sphere",
-                "Sphere.",
-                join(
-                        common,
-                        value("center", ValueType.POINT, "0, 0, 0", "Centre."),
-                        value("radius", ValueType.FLOAT, "1", "Radius.").positive())));
-        list.add(plugin(ObjectKind.SHAPE, "rectangle", "Square [-1, 1]² in z = 0, normal +z.", join(common)));
-        list.add(plugin(ObjectKind.SHAPE, "disk", "Unit disk in z = 0, normal +z.", join(common)));
-        list.add(plugin(ObjectKind.SHAPE, "cube", "Cube [-1, 1]³, normals outwards.", join(common)));
-        list.add(plugin(
-                ObjectKind.SHAPE,
-                "cylinder",
-                "Cylinder without caps, normal outwards.",
-                join(
-                        common,
-                        value("p0", ValueType.POINT, "0, 0, 0", "Centre of one end."),
-                        value("p1", ValueType.POINT, "0, 0, 1", "Centre of the other end."),
-                        value("radius", ValueType.FLOAT, "1", "Radius.").positive())));
-        list.add(plugin(
-                ObjectKind.SHAPE,
-                "shapegroup",
-                "Shapes that only appear through instances.",
-                objects(ObjectKind.SHAPE, 1, MANY, "The shapes.")));
-        list.add(plugin(
-                ObjectKind.SHAPE,
-                "instance",
-                "Appearance of a shapegroup; its geometry is stored once.",
-                optional("to_world", ValueType.TRANSFORM, "Group to world."),
-                objects(ObjectKind.SHAPE, 1, 1, "The shapegroup, usually by reference.")));
-    }
-
-    private static void addBsdfs(List<PluginDefinition> list) {
-        PropertyDefinition specular =
-                value("specular_reflectance", ValueType.REFLECTANCE, "1", "Factor on the specular reflection.");
-        List<PropertyDefinition> metal = List.of(
-                value("material", ValueType.STRING, "none", "Must be 'none': give eta and k for a metal."),
-                value("eta", ValueType.COLOR, "0", "Real part of the refractive index, relative to vacuum.")
-                        .between(0, 1e6),
-                value("k", ValueType.COLOR, "1", "Imaginary part of the refractive index.")
-                        .between(0, 1e6),
-                specular);
-        List<PropertyDefinition> rough = List.of(
-                choice("distribution", "beckmann", List.of("beckmann", "ggx"), "Distribution of microfacet normals."),
-                value("sample_visible", ValueType.BOOLEAN, "true", "Accepted; visible normals are always sampled."));
-        List<PropertyDefinition> dielectric = List.of(
-                value("ext_ior", ValueType.REFRACTIVE_INDEX, "air", "Refractive index on the side of the normal."),
-                specular);
-        PropertyDefinition alpha = optional("alpha", ValueType.FLOAT, "Roughness; default 0.1. No textures.")
-                .between(1e-6, 10);
-        List<PropertyDefinition> plastic = List.of(
-                value("int_ior", ValueType.REFRACTIVE_INDEX, "polypropylene", "Refractive index behind the surface."),
-                value("diffuse_reflectance", ValueType.REFLECTANCE, "0.5", "Reflectance of the base."),
-                value("nonlinear", ValueType.BOOLEAN, "false", "Colour shift by internal reflection."));
-        list.add(plugin(
-                ObjectKind.BSDF,
-                "diffuse",
-                "Lambertian reflection.",
-                value("reflectance", ValueType.REFLECTANCE, "0.5", "Albedo.")));
-        list.add(plugin(
-                ObjectKind.BSDF, "conductor", "Smooth metal; a perfect mirror unless eta or k is given.", join(metal)));
-        list.add(plugin(
-                ObjectKind.BSDF,
-                "roughconductor",
-                "Rough metal.",
-                join(
-                        metal,
-                        join(
-                                rough,
-                                alpha,
-                                optional("alpha_u", ValueType.FLOAT, "Roughness along u; must equal alpha_v.")
-                                        .between(1e-6, 10),
-                                optional("alpha_v", ValueType.FLOAT, "Roughness along v.")
-                                        .between(1e-6, 10)))));
-        list.add(plugin(
-                ObjectKind.BSDF,
-                "dielectric",
-                "Clear glass.",
-                join(
-                        dielectric,
-                        value("int_ior", ValueType.REFRACTIVE_INDEX, "bk7", "Refractive index behind the surface."),
-                        value("specular_transmittance", ValueType.REFLECTANCE, "1", "Factor on the refraction."))));
-        list.add(plugin(
-                ObjectKind.BSDF, "plastic", "Diffuse base under a smooth coat.", join(dielectric, join(plastic))));
-        list.add(plugin(
-                ObjectKind.BSDF,
-                "roughplastic",
-                "Diffuse base under a rough coat.",
-                join(dielectric, join(plastic, join(rough, alpha)))));
-        list.add(plugin(
-                ObjectKind.BSDF,
-                "twosided",
-                "Reflects on both sides alike, or differently if there are two materials.",
-                objects(ObjectKind.BSDF, 1, 2, "Front and, if it differs, back; opaque.")));
-        list.add(plugin(
-                ObjectKind.BSDF,
-                "mask",
-                "Lets part of the light through unchanged.",
-                value("opacity", ValueType.REFLECTANCE, "0.5", "1 for opaque."),
-                objects(ObjectKind.BSDF, 1, 1, "The masked material.")));
-    }
-
-    private static void addTextures(List<PluginDefinition> list) {
-        PropertyDefinition toUv =
-                optional("to_uv", ValueType.TRANSFORM, "Applied to texture coordinates; x, y and translation count.");
-        list.add(plugin(
-                ObjectKind.TEXTURE,
-                "bitmap",
-                "Image file; its first row is at v = 0. Alpha is dropped.",
-                optional("filename", ValueType.FILE, "The file.").asRequired(),
-                choice("filter_type", "bilinear", List.of("bilinear", "nearest"), "Interpolation."),
-                choice("wrap_mode", "repeat", List.of("repeat", "mirror", "clamp"), "What lies outside the image."),
-                value("raw", ValueType.BOOLEAN, "false", "Takes values of 8 and 16 bits as linear instead of sRGB."),
-                toUv,
-                optional("format", ValueType.STRING, NO_EFFECT),
-                optional("accel", ValueType.BOOLEAN, NO_EFFECT)));
-        list.add(plugin(
-                ObjectKind.TEXTURE,
-                "checkerboard",
-                "Four squares per unit of texture space.",
-                value("color0", ValueType.TEXTURED_EMISSION, "0.4", "Colour of the square at (0, 0)."),
-                value("color1", ValueType.TEXTURED_EMISSION, "0.2", "The other colour."),
-                toUv));
-    }
-
-    private static void addEmitters(List<PluginDefinition> list) {
-        PropertyDefinition weight = value("sampling_weight", ValueType.FLOAT, "1", "Accepted, has no effect.")
-                .between(0, Double.MAX_VALUE);
-        list.add(plugin(
-                ObjectKind.EMITTER,
-                "area",
-                "Makes the shape it stands in a light, on its front.",
-                value("radiance", ValueType.TEXTURED_EMISSION, "1", "Radiance in W/(m² sr)."),
-                weight));
-        list.add(plugin(
-                ObjectKind.EMITTER,
-                "point",
-                "Point light.",
-                value("intensity", ValueType.EMISSION, "1", "Radiant intensity in W/sr."),
-                optional("position", ValueType.POINT, "Position; excludes to_world."),
-                optional("to_world", ValueType.TRANSFORM, "Light to world."),
-                weight));
-        list.add(plugin(
-                ObjectKind.EMITTER,
-                "spot",
-                "Spot at the origin that shines along +z; linear fall-off in angle. No texture.",
-                value("intensity", ValueType.EMISSION, "1", "Radiant intensity on the axis in W/sr."),
-                value("cutoff_angle", ValueType.FLOAT, "20", "Angle from the axis where light ends, in degrees.")
-                        .between(1e-3, 180),
-                optional(
-                                "beam_width",
-                                ValueType.FLOAT,
-                                "Angle of full intensity in degrees; default 3/4 of cutoff_angle.")
-                        .between(0, 180),
-                optional("to_world", ValueType.TRANSFORM, "Light to world."),
-                weight));
-        list.add(plugin(
-                ObjectKind.EMITTER,
-                "constant",
-                "The same radiance from all directions.",
-                value("radiance", ValueType.EMISSION, "1", "Radiance in W/(m² sr)."),
-                weight));
-        list.add(plugin(
-                ObjectKind.EMITTER,
-                "envmap",
-                "Equirectangular image around the scene, +y up.",
-                optional("filename", ValueType.FILE, "The file.").asRequired(),
-                value("scale", ValueType.FLOAT, "1", "Factor on the image.").between(0, Double.MAX_VALUE),
-                optional("to_world", ValueType.TRANSFORM, "Image to world."),
-                weight));
     }
 }

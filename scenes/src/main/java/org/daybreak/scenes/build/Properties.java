@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import javax.vecmath.Matrix4d;
 import javax.vecmath.Point3d;
+import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.core.render.NearestName;
 import org.daybreak.scenes.description.ObjectDescription;
 import org.daybreak.scenes.description.ObjectKind;
@@ -128,7 +129,7 @@ final class Properties {
         PropertyDefinition definition = definition(name);
         Set<String> textured = new TreeSet<>();
         for (PropertyDefinition d : plugin.properties()) {
-            if (d.type() == ValueType.REFLECTANCE || d.type() == ValueType.TEXTURED_EMISSION) {
+            if (d.type().isTextured()) {
                 textured.add(d.name());
             }
         }
@@ -201,7 +202,10 @@ final class Properties {
             case BOOLEAN -> value instanceof Value.Switch ? null : wrongType(value);
             case STRING -> value instanceof Value.Text ? null : wrongType(value);
             case FILE ->
-                value instanceof Value.Text t ? (t.value().isBlank() ? " but is empty" : null) : wrongType(value);
+                value instanceof Value.Text t
+                        ? (t.value().isBlank() ? " but is empty" : null)
+                        : value instanceof Value.Content ? null : wrongType(value);
+            case MESH -> value instanceof Value.Mesh ? null : wrongType(value);
             case CHOICE -> {
                 if (!(value instanceof Value.Text text)) {
                     yield wrongType(value);
@@ -214,9 +218,10 @@ final class Properties {
             }
             case POINT -> value instanceof Value.Triple ? null : wrongType(value);
             case REFRACTIVE_INDEX -> refractiveIndexProblem(value);
-            case COLOR -> colorProblem(value, definition.minimum(), definition.maximum());
-            case REFLECTANCE -> colorProblem(value, 0, 1);
-            case EMISSION, TEXTURED_EMISSION -> colorProblem(value, 0, Double.POSITIVE_INFINITY);
+            case COLOR -> colorProblem(value, definition.type(), definition.minimum(), definition.maximum());
+            case REFLECTANCE -> colorProblem(value, definition.type(), 0, 1);
+            case TEXTURED_NUMBER -> colorProblem(value, definition.type(), definition.minimum(), definition.maximum());
+            case EMISSION, TEXTURED_EMISSION -> colorProblem(value, definition.type(), 0, Double.POSITIVE_INFINITY);
             case TRANSFORM -> value instanceof Value.Transform t ? Affine.problem(t.matrix()) : wrongType(value);
             case OBJECT -> wrongType(value);
         };
@@ -249,8 +254,8 @@ final class Properties {
         return n == null ? wrongType(value) : n > 0 ? null : " but is " + n;
     }
 
-    private static @Nullable String colorProblem(Value value, double minimum, double maximum) {
-        double[] rgb = color(value, false);
+    private static @Nullable String colorProblem(Value value, ValueType type, double minimum, double maximum) {
+        double[] rgb = color(value, type);
         if (rgb == null) {
             return wrongType(value);
         }
@@ -262,7 +267,8 @@ final class Properties {
         return null;
     }
 
-    private static double @Nullable [] color(Value value, boolean emission) {
+    private static double @Nullable [] color(Value value, ValueType type) {
+        boolean emission = type == ValueType.EMISSION || type == ValueType.TEXTURED_EMISSION;
         if (value instanceof Value.Color c) {
             return new double[] {c.r(), c.g(), c.b()};
         }
@@ -271,6 +277,12 @@ final class Properties {
             return emission
                     ? new double[] {v * EQUAL_ENERGY[0], v * EQUAL_ENERGY[1], v * EQUAL_ENERGY[2]}
                     : new double[] {v, v, v};
+        }
+        if (value instanceof Value.SampledSpectrum s) {
+            Value.Color c = emission ? s.light() : s.surface();
+            // Saturated reflectances lie outside the primaries: the nearest colour inside stands for them.
+            double limit = type == ValueType.REFLECTANCE ? 1 : Double.POSITIVE_INFINITY;
+            return new double[] {Math.min(limit, c.r()), Math.min(limit, c.g()), Math.min(limit, c.b())};
         }
         Double n = number(value);
         return n == null ? null : new double[] {n, n, n};
@@ -330,6 +342,19 @@ final class Properties {
         return choice ? text.value().toLowerCase(Locale.ROOT) : text.value();
     }
 
+    /** A file that the scene's file contains, or null if the property is not given or names a file. */
+    Value.@Nullable Content content(String name) {
+        PropertyDescription property = values.get(name);
+        return property != null && property.value() instanceof Value.Content content ? content : null;
+    }
+
+    /** A mesh in memory, or null if it is not given. */
+    @Nullable
+    TriangleMesh mesh(String name) {
+        PropertyDescription property = values.get(name);
+        return property != null && property.value() instanceof Value.Mesh mesh ? mesh.mesh() : null;
+    }
+
     /** A point, or its default. */
     Point3d point(String name) {
         PropertyDescription property = values.get(name);
@@ -361,10 +386,8 @@ final class Properties {
     /** A colour as linear RGB, or its default. */
     double[] color(String name) {
         PropertyDefinition definition = definition(name);
-        boolean emission = definition != null
-                && (definition.type() == ValueType.EMISSION || definition.type() == ValueType.TEXTURED_EMISSION);
         PropertyDescription property = values.get(name);
-        double[] given = property == null ? null : color(property.value(), emission);
+        double[] given = property == null || definition == null ? null : color(property.value(), definition.type());
         if (given != null) {
             return given;
         }
@@ -378,10 +401,13 @@ final class Properties {
         return textures.get(name);
     }
 
-    /** True if a textured property must not exceed 1. */
-    boolean isReflectance(String name) {
+    /** What the values of a textured property must not exceed. */
+    double textureLimit(String name) {
         PropertyDefinition definition = definition(name);
-        return definition != null && definition.type() == ValueType.REFLECTANCE;
+        if (definition == null || definition.type() == ValueType.TEXTURED_EMISSION) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return definition.type() == ValueType.TEXTURED_NUMBER ? definition.maximum() : 1;
     }
 
     /** The contained objects of a kind. */

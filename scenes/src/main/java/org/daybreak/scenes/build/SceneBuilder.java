@@ -1,5 +1,6 @@
 package org.daybreak.scenes.build;
 
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,8 +21,9 @@ public final class SceneBuilder {
      *
      * @param graph the scene; incomplete if errors were reported
      * @param request what the file asks of the renderer
+     * @param files all files that were read, the main file first
      */
-    public record Result(SceneGraph graph, RenderSettingsRequest request) {}
+    public record Result(SceneGraph graph, RenderSettingsRequest request, List<Path> files) {}
 
     private final BuildContext context;
     private final SceneGraph graph = new SceneGraph();
@@ -61,12 +63,15 @@ public final class SceneBuilder {
         OptionalLong seed = sampler != null && sampler.has("seed")
                 ? OptionalLong.of((long) sampler.number("seed"))
                 : OptionalLong.empty();
-        return new Result(graph, new RenderSettingsRequest(Optional.ofNullable(rendererId), parameters, samples, seed));
+        return new Result(
+                graph,
+                new RenderSettingsRequest(Optional.ofNullable(rendererId), parameters, samples, seed),
+                context.files());
     }
 
     private void readIntegrator(Properties p) {
         if (p.truth("hide_emitters")) {
-            context.error(p.location("hide_emitters"), "'hide_emitters' is not supported: it must be false");
+            context.warning(p.location("hide_emitters"), "'hide_emitters' has no effect: lights stay visible");
         }
         String type = p.object().type();
         rendererId = type.equals("ptracer") ? "light" : "path";
@@ -126,7 +131,7 @@ public final class SceneBuilder {
         for (Properties.Child child : scene.children(ObjectKind.SHAPE)) {
             shapes.addTo(graph.root(), child.object(), child.location());
         }
-        if (shapes.lights() == 0 && scene.children(ObjectKind.EMITTER).isEmpty()) {
+        if (shapes.lights() == 0 && scene.children(ObjectKind.EMITTER).isEmpty() && !context.isModel()) {
             context.warning(scene.location(), "the scene has no light; the picture will be black");
         }
     }

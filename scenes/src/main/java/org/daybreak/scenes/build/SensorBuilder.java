@@ -46,10 +46,27 @@ final class SensorBuilder {
     private @Nullable CameraSettings camera(Properties p) {
         warnAboutClipping(p);
         Matrix4d toWorld = p.transform("to_world");
+        String type = p.object().type();
+        if (type.equals("orthographic")) {
+            CameraSettings plain = CameraSettings.orthographic(toWorld);
+            return new CameraSettings(
+                    toWorld,
+                    plain.projection(),
+                    plain.fieldOfViewDegrees(),
+                    plain.axis(),
+                    0,
+                    1,
+                    0,
+                    0,
+                    p.number("pixel_aspect"));
+        }
         boolean valid = true;
         if (!Affine.isRigid(toWorld)) {
             context.error(p.location("to_world"), "the transform of a camera must not scale or shear");
             valid = false;
+        }
+        if (type.equals("environment") || type.equals("spherical")) {
+            return valid ? CameraSettings.environment(toWorld) : null;
         }
         double fov;
         CameraSettings.FovAxis axis = CameraSettings.FovAxis.DIAGONAL;
@@ -78,10 +95,19 @@ final class SensorBuilder {
         if (!valid) {
             return null;
         }
-        boolean lens = p.object().type().equals("thinlens");
+        boolean lens = type.equals("thinlens");
         double aperture = lens ? p.number("aperture_radius", 0) : 0;
         double focus = lens ? p.number("focus_distance", p.number("far_clip")) : 1;
-        return new CameraSettings(toWorld, fov, axis, aperture, focus);
+        return new CameraSettings(
+                toWorld,
+                CameraSettings.Projection.PERSPECTIVE,
+                fov,
+                axis,
+                aperture,
+                focus,
+                p.number("principal_point_offset_x"),
+                p.number("principal_point_offset_y"),
+                p.number("pixel_aspect"));
     }
 
     private void warnAboutClipping(Properties p) {
@@ -110,7 +136,7 @@ final class SensorBuilder {
             return null;
         }
         try {
-            return new FilmSettings(width, height, crop, filter);
+            return new FilmSettings(width, height, crop, filter, p.truth("filter_sampling"));
         } catch (IllegalArgumentException e) {
             context.error(p.location(), String.valueOf(e.getMessage()));
             return null;
@@ -137,7 +163,13 @@ final class SensorBuilder {
                 return new ReconstructionFilter(ReconstructionFilter.Kind.GAUSSIAN, 4 * deviation, deviation);
             }
             case "catmullrom" -> {
-                return new ReconstructionFilter(ReconstructionFilter.Kind.MITCHELL, 2, 0);
+                return ReconstructionFilter.CATMULL_ROM;
+            }
+            case "lanczos" -> {
+                return new ReconstructionFilter(ReconstructionFilter.Kind.LANCZOS, p.integer("lobes"), 0);
+            }
+            case "blackmanharris" -> {
+                return new ReconstructionFilter(ReconstructionFilter.Kind.BLACKMAN_HARRIS, p.number("radius"), 0);
             }
             case "mitchell" -> {
                 double b = p.number("B");

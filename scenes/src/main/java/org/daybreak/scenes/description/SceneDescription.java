@@ -12,12 +12,14 @@ import java.util.Map;
  * @param root the scene
  * @param ids the objects that have a name
  * @param folders further folders in which the scene's files are searched
+ * @param files the files that were read so far, the main file first
  */
 public record SceneDescription(
-        Path file, ObjectDescription root, Map<String, ObjectDescription> ids, List<Path> folders) {
+        Path file, ObjectDescription root, Map<String, ObjectDescription> ids, List<Path> folders, List<Path> files) {
     /** Copies the collections. */
     public SceneDescription {
         ids = java.util.Collections.unmodifiableMap(new LinkedHashMap<>(ids));
         folders = List.copyOf(folders);
+        files = List.copyOf(files);
     }
 }

@@ -22,7 +22,7 @@ import org.daybreak.scenes.description.Value;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads a Mitsuba 3 scene file and what it includes. One reader reads one scene. Document types are refused, so there are no
+ * Reads a scene file of Mitsuba 3, 2 or 0.6 and what it includes. One reader reads one scene. Document types are refused, so there are no
  * entities that could expand or reach out; depth of elements and of inclusion is limited.
  */
 public final class MitsubaReader {
@@ -37,6 +37,7 @@ public final class MitsubaReader {
     private final Map<String, ObjectDescription> ids = new LinkedHashMap<>();
     private final List<Path> folders = new ArrayList<>();
     private final List<Path> open = new ArrayList<>();
+    private final List<Path> files = new ArrayList<>();
     private boolean broken;
 
     private MitsubaReader(Map<String, String> defines, ProblemList problems) {
@@ -55,7 +56,7 @@ public final class MitsubaReader {
      */
     public static Optional<SceneDescription> read(Path file, Map<String, String> defines, ProblemList problems) {
         MitsubaReader reader = new MitsubaReader(defines, problems);
-        List<PropertyDescription> content = reader.readFile(file, SourceLocation.of(file), true);
+        List<PropertyDescription> content = reader.readFile(file, SourceLocation.of(file), true, false);
         for (String name : reader.definitions.unused()) {
             problems.error(
                     SourceLocation.of(file),
@@ -65,7 +66,7 @@ public final class MitsubaReader {
         if (reader.broken || content.size() != 1 || !(content.get(0).value() instanceof Value.Nested root)) {
             return Optional.empty();
         }
-        return Optional.of(new SceneDescription(file, root.object(), reader.ids, reader.folders));
+        return Optional.of(new SceneDescription(file, root.object(), reader.ids, reader.folders, reader.files));
     }
 
     /**
@@ -73,8 +74,9 @@ public final class MitsubaReader {
      *
      * @param requestedAt where inclusion asks for it; errors about the file as a whole point there
      * @param main true for the scene's main file, whose root is returned; of included scenes the content is
+     * @param old whether the file is in the dialect of Mitsuba 0.6 if it does not say
      */
-    private List<PropertyDescription> readFile(Path file, SourceLocation requestedAt, boolean main) {
+    private List<PropertyDescription> readFile(Path file, SourceLocation requestedAt, boolean main, boolean old) {
         Path real = file.toAbsolutePath().normalize();
         if (open.contains(real)) {
             broken = true;
@@ -94,9 +96,10 @@ public final class MitsubaReader {
             problems.error(requestedAt, (main ? "" : "cannot include " + file + ": ") + message(e));
             return List.of();
         }
+        files.add(file);
         open.add(real);
         try {
-            return XmlFileParser.parse(this, file, text, main);
+            return XmlFileParser.parse(this, file, text, main, old);
         } finally {
             open.remove(open.size() - 1);
         }
@@ -107,10 +110,14 @@ public final class MitsubaReader {
         return message == null ? e.toString() : message;
     }
 
-    /** Reads the file that an {@code <include>} asks for. */
-    List<PropertyDescription> include(String name, SourceLocation location) {
+    /**
+     * Reads the file that an {@code <include>} asks for.
+     *
+     * @param old whether it is in the dialect of Mitsuba 0.6 unless it says otherwise
+     */
+    List<PropertyDescription> include(String name, SourceLocation location, boolean old) {
         Path found = resolve(name, location);
-        return found == null ? List.of() : readFile(found, location, false);
+        return found == null ? List.of() : readFile(found, location, false, old);
     }
 
     /** Adds a folder to search files in. */
@@ -127,7 +134,9 @@ public final class MitsubaReader {
         }
     }
 
-    private @Nullable Path resolve(String name, SourceLocation location) {
+    /** A file beside the one that names it, else in the folders of the scene; it may not exist. Null after an error. */
+    @Nullable
+    Path resolve(String name, SourceLocation location) {
         try {
             Path sibling = location.file().resolveSibling(name);
             for (Path folder : folders) {

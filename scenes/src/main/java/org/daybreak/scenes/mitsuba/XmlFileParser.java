@@ -27,8 +27,6 @@ import org.jspecify.annotations.Nullable;
 /** Parses one XML file. */
 final class XmlFileParser {
     private static final int ELEMENT_DEPTH = 64;
-    private static final Set<String> ELEMENTS = elements();
-
     private final MitsubaReader reader;
     private final ProblemList problems;
     private final Path file;
@@ -37,10 +35,14 @@ final class XmlFileParser {
     private final XMLStreamReader xml;
     private int depth;
 
+    /** Whether the file is in the dialect of Mitsuba 0.6. Included files that give no version are in that of the including. */
+    private boolean old;
+
     /** Whether the last tag had an attribute that could not be substituted, which has been reported. */
     private boolean tainted;
 
-    private XmlFileParser(MitsubaReader reader, Path file, String text) throws XMLStreamException {
+    private XmlFileParser(MitsubaReader reader, Path file, String text, boolean old) throws XMLStreamException {
+        this.old = old;
         this.reader = reader;
         this.problems = reader.problems();
         this.file = file;
@@ -58,39 +60,15 @@ final class XmlFileParser {
         return factory.createXMLStreamReader(new StringReader(text));
     }
 
-    private static Set<String> elements() {
-        TreeSet<String> names = new TreeSet<>(List.of(
-                "boolean",
-                "integer",
-                "float",
-                "string",
-                "point",
-                "vector",
-                "rgb",
-                "srgb",
-                "spectrum",
-                "transform",
-                "ref",
-                "include",
-                "default",
-                "alias",
-                "path"));
-        for (ObjectKind kind : ObjectKind.values()) {
-            if (kind != ObjectKind.SCENE) {
-                names.add(kind.element());
-            }
-        }
-        return names;
-    }
-
     /**
      * Parses a file: its root as a single nested object, or an included scene's content.
      *
      * @param main true for the scene's main file, whose root must be a scene
+     * @param old whether the file is in the dialect of Mitsuba 0.6 if it does not say
      */
-    static List<PropertyDescription> parse(MitsubaReader reader, Path file, String text, boolean main) {
+    static List<PropertyDescription> parse(MitsubaReader reader, Path file, String text, boolean main, boolean old) {
         try {
-            return new XmlFileParser(reader, file, text).parse(main);
+            return new XmlFileParser(reader, file, text, old).parse(main);
         } catch (XMLStreamException e) {
             reader.setBroken();
             Location at = e.getLocation();
@@ -141,12 +119,12 @@ final class XmlFileParser {
         }
         SourceLocation location = enter();
         String element = xml.getLocalName();
-        ObjectKind kind = MitsubaReader.kind(element);
+        ObjectKind kind = kind(element);
         if (kind == null || (main && kind != ObjectKind.SCENE)) {
             throw new StopException(location, "the root of a scene file must be <scene> but is <" + element + ">");
         }
         Map<String, String> attributes = attributes(location);
-        checkVersion(attributes.remove("version"), location);
+        checkVersion(attributes.remove("version"), location, !main);
         ObjectDescription root = readObject(kind, attributes, location);
         if (root == null) {
             return List.of();
@@ -157,15 +135,18 @@ final class XmlFileParser {
         return List.of(new PropertyDescription("", new Value.Nested(root), location));
     }
 
-    private void checkVersion(@Nullable String version, SourceLocation location) {
+    private void checkVersion(@Nullable String version, SourceLocation location, boolean included) {
         if (version == null) {
-            problems.warning(location, "the root element has no attribute 'version'; 3.0.0 is assumed");
+            if (!included) {
+                old = OldDialect.isLikely(text);
+                problems.warning(
+                        location,
+                        "the root element has no attribute 'version'; " + (old ? "0.6.0" : "3.0.0") + " is assumed");
+            }
         } else if (!version.matches("\\d{1,5}\\.\\d{1,5}\\.\\d{1,5}")) {
             problems.error(location, "the version '" + Numbers.shortened(version) + "' is not of the form 3.0.0");
-        } else if (version.startsWith("0.") || version.startsWith("1.")) {
-            problems.error(
-                    location,
-                    "the scene is of version " + version + "; only versions 2 and 3 of the format can be read");
+        } else {
+            old = version.startsWith("0.") || version.startsWith("1.");
         }
     }
 
@@ -275,6 +256,9 @@ final class XmlFileParser {
         }
         String id = attributes.get("id");
         ObjectDescription object = new ObjectDescription(kind, type, id, location, properties);
+        if (old) {
+            object = OldDialect.translate(object, problems);
+        }
         if (id != null) {
             reader.addId(id, object, location);
         }
@@ -285,7 +269,7 @@ final class XmlFileParser {
         SourceLocation location = enter();
         String element = xml.getLocalName();
         Map<String, String> attributes = attributes(location);
-        ObjectKind kind = MitsubaReader.kind(element);
+        ObjectKind kind = kind(element);
         if (kind == ObjectKind.SCENE) {
             problems.error(location, "<scene> can only be the root of a file");
             skip(false);
@@ -297,8 +281,43 @@ final class XmlFileParser {
             }
         } else if (element.equals("transform")) {
             readTransform(attributes, location, properties);
+        } else if (element.equals("spectrum") && attributes.containsKey("type")) {
+            readSpectrumObject(attributes, location, properties);
         } else {
             readLeaf(element, owner, attributes, location, properties);
+        }
+    }
+
+    /** The kind of object that an element stands for, or null. */
+    private @Nullable ObjectKind kind(String element) {
+        ObjectKind kind = MitsubaReader.kind(element);
+        return kind == null && old ? OldDialect.kind(element) : kind;
+    }
+
+    /** Reads a spectrum that is written as an object: {@code <spectrum type="blackbody">}. */
+    private void readSpectrumObject(
+            Map<String, String> attributes, SourceLocation location, List<PropertyDescription> properties)
+            throws XMLStreamException {
+        boolean sound = !tainted;
+        check("spectrum", attributes, location, List.of("name", "type"), List.of("id"));
+        List<PropertyDescription> own = new ArrayList<>();
+        while (true) {
+            int event = checkEvent(xml.next());
+            if (event == XMLStreamConstants.END_ELEMENT) {
+                break;
+            }
+            if (event == XMLStreamConstants.START_ELEMENT) {
+                readMember(ObjectKind.TEXTURE, own);
+            }
+        }
+        if (sound) {
+            add(
+                    properties,
+                    attributes,
+                    location,
+                    () -> Spectra.ofObject(attributes.getOrDefault("type", ""), own, reader));
+        } else {
+            addInvalid(properties, attributes, location);
         }
     }
 
@@ -321,7 +340,29 @@ final class XmlFileParser {
             return;
         }
         switch (element) {
-            case "boolean", "integer", "float", "string", "rgb", "srgb", "spectrum" -> {
+            case "rgb", "srgb" -> {
+                if (check(element, attributes, location, List.of("name", "value"), List.of("intent"))) {
+                    add(
+                            properties,
+                            attributes,
+                            location,
+                            () -> simpleValue(element, attributes.getOrDefault("value", "")));
+                } else {
+                    addInvalid(properties, attributes, location);
+                }
+            }
+            case "spectrum" -> {
+                check(element, attributes, location, List.of("name"), List.of("value", "filename", "intent"));
+                add(properties, attributes, location, () -> Spectra.ofAttributes(attributes, location, reader, old));
+            }
+            case "blackbody" -> {
+                if (check(element, attributes, location, List.of("name", "temperature"), List.of("scale"))) {
+                    add(properties, attributes, location, () -> Spectra.blackbody(attributes));
+                } else {
+                    addInvalid(properties, attributes, location);
+                }
+            }
+            case "boolean", "integer", "float", "string" -> {
                 if (check(element, attributes, location, List.of("name", "value"), List.of())) {
                     add(
                             properties,
@@ -334,7 +375,7 @@ final class XmlFileParser {
             }
             case "point", "vector" -> {
                 if (check(element, attributes, location, List.of("name"), List.of("value", "x", "y", "z"))) {
-                    add(properties, attributes, location, () -> triple(element, attributes));
+                    add(properties, attributes, location, () -> Coordinates.triple(element, attributes));
                 }
             }
             case "ref" -> {
@@ -347,7 +388,7 @@ final class XmlFileParser {
             }
             case "include" -> {
                 if (check(element, attributes, location, List.of("filename"), List.of("name"))) {
-                    properties.addAll(reader.include(attributes.getOrDefault("filename", ""), location));
+                    properties.addAll(reader.include(attributes.getOrDefault("filename", ""), location, old));
                 }
             }
             case "default" -> {
@@ -367,10 +408,15 @@ final class XmlFileParser {
                     reader.addFolder(attributes.getOrDefault("value", ""), location);
                 }
             }
-            case "translate", "rotate", "scale", "lookat", "matrix" ->
+            case "translate", "rotate", "scale", "lookat", "lookAt", "matrix" ->
                 problems.error(location, "<" + element + "> can only stand in <transform>");
             default -> {
-                problems.unknownName(location, "unknown element <" + element + ">", element, ELEMENTS);
+                if (Elements.UNSUPPORTED.containsKey(element)) {
+                    problems.error(
+                            location, "<" + element + ">: " + Elements.UNSUPPORTED.get(element) + " are not supported");
+                } else {
+                    problems.unknownName(location, "unknown element <" + element + ">", element, Elements.KNOWN);
+                }
                 skip(false);
                 return;
             }
@@ -440,51 +486,8 @@ final class XmlFileParser {
             case "float" -> new Value.RealNumber(Numbers.real(value));
             case "string" -> new Value.Text(value);
             case "rgb" -> Numbers.linearColor(value);
-            case "srgb" -> Numbers.encodedColor(value);
-            default -> spectrum(value);
+            default -> Numbers.encodedColor(value);
         };
-    }
-
-    private static Value spectrum(String value) throws FormatException {
-        if (value.contains(":")) {
-            throw new FormatException("spectra by wavelength are not supported; use <rgb>");
-        }
-        return new Value.FlatSpectrum(Numbers.real(value));
-    }
-
-    private static Value triple(String element, Map<String, String> attributes) throws FormatException {
-        if (!attributes.containsKey("value")
-                && !(attributes.containsKey("x") && attributes.containsKey("y") && attributes.containsKey("z"))) {
-            throw new FormatException("<" + element + "> needs the attribute 'value' or 'x', 'y' and 'z'");
-        }
-        double[] xyz = coordinates(attributes, 0);
-        return new Value.Triple(xyz[0], xyz[1], xyz[2]);
-    }
-
-    /** Three numbers from x, y, z, or from one or three in value. */
-    private static double[] coordinates(Map<String, String> attributes, double missing) throws FormatException {
-        String value = attributes.get("value");
-        if (value != null) {
-            if (attributes.containsKey("x") || attributes.containsKey("y") || attributes.containsKey("z")) {
-                throw new FormatException("either 'value' or 'x', 'y' and 'z' can be given, not both");
-            }
-            double[] values = Numbers.list(value);
-            if (values.length == 1) {
-                return new double[] {values[0], values[0], values[0]};
-            }
-            if (values.length != 3) {
-                throw new FormatException("'" + Numbers.shortened(value) + "' must be one or three numbers");
-            }
-            return values;
-        }
-        double[] xyz = {missing, missing, missing};
-        for (int i = 0; i < 3; i++) {
-            String coordinate = attributes.get("xyz".substring(i, i + 1));
-            if (coordinate != null) {
-                xyz[i] = Numbers.real(coordinate);
-            }
-        }
-        return xyz;
     }
 
     /** Reads a transform; its parts apply in their order, so each new one multiplies from the left. */
@@ -529,20 +532,20 @@ final class XmlFileParser {
         switch (element) {
             case "translate" -> {
                 check(element, a, location, List.of(), coordinates);
-                double[] t = coordinates(a, 0);
+                double[] t = Coordinates.of(a, 0);
                 return Transforms.translation(t[0], t[1], t[2]);
             }
             case "scale" -> {
                 check(element, a, location, List.of(), coordinates);
-                double[] s = coordinates(a, 1);
+                double[] s = Coordinates.of(a, 1);
                 return Transforms.scaling(s[0], s[1], s[2]);
             }
             case "rotate" -> {
                 requirePart(element, a, location, List.of("angle"), coordinates);
-                double[] axis = coordinates(a, 0);
+                double[] axis = Coordinates.of(a, 0);
                 return Transforms.rotation(axis[0], axis[1], axis[2], Numbers.real(a.getOrDefault("angle", "")));
             }
-            case "lookat" -> {
+            case "lookat", "lookAt" -> {
                 requirePart(element, a, location, List.of("origin", "target"), List.of("up"));
                 return Transforms.lookAt(
                         Numbers.three(a.getOrDefault("origin", "")),

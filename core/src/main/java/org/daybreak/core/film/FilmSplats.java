@@ -1,0 +1,225 @@
+package org.daybreak.core.film;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.daybreak.core.color.Spectrum;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The splats of a film. Each pixel holds the sums of red, green and blue, of the squared luminance, and with the variance
+ * layer of the squares per channel. Not thread-safe; the film guards it.
+ *
+ * <p>Splats are added to the open lane; closed lanes are added up in their order. What is asked for in between is the sum
+ * as it would be if the open lane were closed.
+ */
+final class FilmSplats {
+    private final FilmSettings settings;
+    private final FilterKernel kernel;
+    private final boolean pixelBox;
+    private final int stride;
+    private final double[] weightsX;
+    private final double[] weightsY;
+    private final List<double[]> closed = new ArrayList<>();
+    private boolean keepLanes;
+    private double @Nullable [] total;
+    private double @Nullable [] open;
+    private double scale = 1;
+    private long paths;
+
+    FilmSplats(FilmSettings settings, FilterKernel kernel, boolean pixelBox, int stride) {
+        this.settings = settings;
+        this.kernel = kernel;
+        this.pixelBox = pixelBox;
+        this.stride = stride;
+        int reach = 2 * FilterKernel.border(settings.filter()) + 2;
+        weightsX = new double[reach];
+        weightsY = new double[reach];
+    }
+
+    void add(SplatBuffer splats, long subpaths) {
+        paths += subpaths;
+        int used = splats.size() * SplatBuffer.STRIDE;
+        if (used == 0) {
+            return;
+        }
+        double[] target = open;
+        if (target == null) {
+            target = new double[settings.crop().width() * settings.crop().height() * stride];
+            open = target;
+        }
+        double[] entries = splats.entries();
+        for (int i = 0; i < used; i += SplatBuffer.STRIDE) {
+            add(target, entries[i], entries[i + 1], entries[i + 2], entries[i + 3], entries[i + 4]);
+        }
+    }
+
+    void closeLane() {
+        double[] lane = open;
+        open = null;
+        if (lane == null) {
+            return;
+        }
+        if (keepLanes) {
+            closed.add(lane);
+        } else {
+            addToTotal(lane);
+        }
+    }
+
+    void keepLanes() {
+        keepLanes = true;
+    }
+
+    private void addToTotal(double[] lane) {
+        double[] sum = total;
+        if (sum == null) {
+            total = lane;
+            return;
+        }
+        for (int i = 0; i < sum.length; i++) {
+            sum[i] += lane[i];
+        }
+    }
+
+    boolean any() {
+        return total != null || open != null || !closed.isEmpty();
+    }
+
+    long paths() {
+        return paths;
+    }
+
+    double scale() {
+        return scale;
+    }
+
+    void setScale(double scale) {
+        this.scale = scale;
+    }
+
+    /** A copy of all sums; closed lanes are not written to any more and are handed out as they are. */
+    FilmState.Splats state() {
+        double[] sum = total;
+        double[] lane = open;
+        return new FilmState.Splats(sum == null ? null : sum.clone(), closed, lane == null ? null : lane.clone());
+    }
+
+    void restore(FilmState.Splats state, long subpaths, double factor) {
+        double[] sum = state.total();
+        double[] lane = state.open();
+        total = sum == null ? null : sum.clone();
+        open = lane == null ? null : lane.clone();
+        closed.clear();
+        closed.addAll(state.closed());
+        paths = subpaths;
+        scale = factor;
+    }
+
+    /** Adds the lanes of a part that comes next. */
+    void merge(FilmState.Splats state, long subpaths, double factor) {
+        if (state.total() != null || state.open() != null) {
+            throw new IllegalArgumentException("the splats of a part must be in closed lanes");
+        }
+        for (double[] lane : state.closed()) {
+            addToTotal(total == null ? lane.clone() : lane);
+        }
+        paths += subpaths;
+        scale = factor;
+    }
+
+    /** Mean of a colour channel in a pixel. */
+    double mean(int pixel, int channel) {
+        return norm(pixel) * scale * sum(pixel * stride + channel) / paths;
+    }
+
+    /** Mean luminance of a pixel. */
+    double luminance(int pixel) {
+        return norm(pixel) * scale * luminanceSum(pixel) / paths;
+    }
+
+    /** Variance of a colour channel's mean in a pixel. */
+    double variance(int pixel, int channel) {
+        int at = pixel * stride;
+        return variance(pixel, sum(at + channel), sum(at + 4 + channel));
+    }
+
+    /** Variance of the mean luminance of a pixel. */
+    double luminanceVariance(int pixel) {
+        return variance(pixel, luminanceSum(pixel), sum(pixel * stride + 3));
+    }
+
+    private double luminanceSum(int pixel) {
+        int at = pixel * stride;
+        return Spectrum.luminance(sum(at), sum(at + 1), sum(at + 2));
+    }
+
+    private double variance(int pixel, double sum, double squares) {
+        double mean = sum / paths;
+        double factor = norm(pixel) * scale;
+        return Math.max(0, squares / paths - mean * mean) / paths * factor * factor;
+    }
+
+    private double sum(int at) {
+        double sum = total == null ? 0 : total[at];
+        for (int i = 0; i < closed.size(); i++) {
+            sum += closed.get(i)[at];
+        }
+        return open == null ? sum : sum + open[at];
+    }
+
+    private void add(double[] target, double filmX, double filmY, double r, double g, double b) {
+        FilmSettings.Crop crop = settings.crop();
+        if (pixelBox) {
+            int px = (int) Math.floor(filmX) - crop.x();
+            int py = (int) Math.floor(filmY) - crop.y();
+            if (px >= 0 && py >= 0 && px < crop.width() && py < crop.height()) {
+                add(target, (py * crop.width() + px) * stride, 1, r, g, b);
+            }
+            return;
+        }
+        double radius = settings.filter().radius();
+        int fromX = Math.max((int) Math.ceil(filmX - radius - 0.5), crop.x());
+        int toX = Math.min((int) Math.floor(filmX + radius - 0.5), crop.x() + crop.width() - 1);
+        int fromY = Math.max((int) Math.ceil(filmY - radius - 0.5), crop.y());
+        int toY = Math.min((int) Math.floor(filmY + radius - 0.5), crop.y() + crop.height() - 1);
+        for (int x = fromX; x <= toX; x++) {
+            weightsX[x - fromX] = kernel.weight(x + 0.5 - filmX);
+        }
+        for (int y = fromY; y <= toY; y++) {
+            weightsY[y - fromY] = kernel.weight(y + 0.5 - filmY);
+        }
+        for (int y = fromY; y <= toY; y++) {
+            for (int x = fromX; x <= toX; x++) {
+                int at = ((y - crop.y()) * crop.width() + x - crop.x()) * stride;
+                add(target, at, weightsX[x - fromX] * weightsY[y - fromY], r, g, b);
+            }
+        }
+    }
+
+    private void add(double[] target, int at, double w, double r, double g, double b) {
+        double wr = w * r;
+        double wg = w * g;
+        double wb = w * b;
+        target[at] += wr;
+        target[at + 1] += wg;
+        target[at + 2] += wb;
+        double luminance = Spectrum.luminance(wr, wg, wb);
+        target[at + 3] += luminance * luminance;
+        if (stride > 4) {
+            target[at + 4] += wr * wr;
+            target[at + 5] += wg * wg;
+            target[at + 6] += wb * wb;
+        }
+    }
+
+    /** 1 over the filter's integral over the film, for a pixel of the crop: not 1 near the edges of the film only. */
+    private double norm(int pixel) {
+        if (pixelBox) {
+            return 1;
+        }
+        FilmSettings.Crop crop = settings.crop();
+        double px = crop.x() + pixel % crop.width() + 0.5;
+        double py = crop.y() + pixel / crop.width() + 0.5;
+        return 1 / (kernel.integral(-px, settings.width() - px) * kernel.integral(-py, settings.height() - py));
+    }
+}

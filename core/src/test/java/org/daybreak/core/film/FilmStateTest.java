@@ -1,0 +1,176 @@
+package org.daybreak.core.film;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.util.List;
+import java.util.Set;
+import java.util.SplittableRandom;
+import org.daybreak.core.color.Spectrum;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class FilmStateTest {
+    private static final int WIDTH = 12;
+    private static final int HEIGHT = 9;
+
+    static List<ReconstructionFilter> filters() {
+        return ReconstructionFilterTest.filters().toList();
+    }
+
+    private static Film film(ReconstructionFilter filter) {
+        return new Film(new FilmSettings(WIDTH, HEIGHT, filter), Set.of(FilmLayer.VARIANCE));
+    }
+
+    private static void addSamples(Film film, SplittableRandom random, double weight) {
+        FilmTile tile = film.newTile();
+        tile.begin(0, 0, WIDTH, HEIGHT);
+        tile.setSampleWeight(weight);
+        Spectrum value = new Spectrum();
+        for (int i = 0; i < 500; i++) {
+            value.set(random.nextDouble(), random.nextDouble(), random.nextDouble());
+            tile.add(WIDTH * random.nextDouble(), HEIGHT * random.nextDouble(), value);
+        }
+        film.commit(tile);
+    }
+
+    private static void addSplats(Film film, SplittableRandom random) {
+        SplatBuffer splats = new SplatBuffer();
+        for (int i = 0; i < 300; i++) {
+            splats.add(WIDTH * random.nextDouble(), HEIGHT * random.nextDouble(), random.nextDouble(), 1, 0.1);
+        }
+        film.commit(splats, 400);
+    }
+
+    private static void assertSame(Film expected, Film actual) {
+        FilmImage a = expected.develop();
+        FilmImage b = actual.develop();
+        for (String channel : a.channelNames()) {
+            assertArrayEquals(a.channel(channel), b.channel(channel), channel);
+        }
+        assertEquals(expected.relativeError(), actual.relativeError());
+        assertEquals(expected.samples(), actual.samples());
+        assertEquals(expected.splatPaths(), actual.splatPaths());
+    }
+
+    @ParameterizedTest
+    @MethodSource("filters")
+    void restoredFilmsAreTheSameAndGoOn(ReconstructionFilter filter) {
+        Film film = film(filter);
+        SplittableRandom random = new SplittableRandom(1);
+        addSamples(film, random, 1);
+        addSplats(film, random);
+        film.closeSplatLane();
+        addSplats(film, random);
+        Film restored = film(filter);
+        restored.restore(film.state(List.of(film.settings().crop())));
+        assertSame(film, restored);
+        for (Film each : List.of(film, restored)) {
+            SplittableRandom more = new SplittableRandom(2);
+            addSamples(each, more, 1);
+            addSplats(each, more);
+            each.closeSplatLane();
+        }
+        assertSame(film, restored);
+    }
+
+    @ParameterizedTest
+    @MethodSource("filters")
+    void lanesOfPartsAddUpToTheWhole(ReconstructionFilter filter) {
+        Film whole = film(filter);
+        Film merged = film(filter);
+        for (int part = 0; part < 3; part++) {
+            Film own = film(filter);
+            own.keepSplatLanes();
+            for (int lane = 0; lane < 2; lane++) {
+                addSplats(whole, new SplittableRandom(2 * part + lane));
+                whole.closeSplatLane();
+                addSplats(own, new SplittableRandom(2 * part + lane));
+                own.closeSplatLane();
+            }
+            merged.merge(own.state(List.of()));
+        }
+        assertSame(whole, merged);
+    }
+
+    @Test
+    void openLanesAreNotMerged() {
+        Film part = film(ReconstructionFilter.BOX);
+        addSplats(part, new SplittableRandom(1));
+        FilmState state = part.state(List.of());
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> film(ReconstructionFilter.BOX).merge(state));
+    }
+
+    /** Twice the weight is twice the sample, in the mean; a mean of the same samples with any weight is the same. */
+    @ParameterizedTest
+    @MethodSource("filters")
+    void weightsWeigh(ReconstructionFilter filter) {
+        Film plain = film(filter);
+        addSamples(plain, new SplittableRandom(1), 1);
+        addSamples(plain, new SplittableRandom(2), 1);
+        addSamples(plain, new SplittableRandom(2), 1);
+        Film weighted = film(filter);
+        weighted.useSampleWeights();
+        addSamples(weighted, new SplittableRandom(1), 0.5);
+        addSamples(weighted, new SplittableRandom(2), 1);
+        FilmImage a = plain.develop();
+        FilmImage b = weighted.develop();
+        for (int p = 0; p < WIDTH * HEIGHT; p++) {
+            assertEquals(a.channel("G")[p], b.channel("G")[p], 1e-5);
+        }
+        assertThrows(IllegalStateException.class, weighted::useSampleWeights);
+    }
+
+    /** With equal weights the film's variance is that of the samples, and the deviation that of one sample. */
+    @Test
+    void statisticsOfPixels() {
+        Film film = new Film(new FilmSettings(1, 1, ReconstructionFilter.BOX));
+        film.useSampleWeights();
+        FilmTile tile = film.newTile();
+        tile.begin(0, 0, 1, 1);
+        tile.setSampleWeight(0.25);
+        for (double v : new double[] {1, 2, 3, 6}) {
+            tile.add(0.5, 0.5, grey(v));
+        }
+        film.commit(tile);
+        double[] means = new double[1];
+        double[] deviations = new double[1];
+        film.sampleStatistics(means, deviations);
+        assertEquals(3, means[0], 1e-6);
+        assertEquals(Math.sqrt(14.0 / 3), deviations[0], 1e-6);
+    }
+
+    private static Spectrum grey(double value) {
+        Spectrum spectrum = new Spectrum();
+        spectrum.set(value, value, value);
+        return spectrum;
+    }
+
+    @Test
+    void statesThatDoNotFitAreRefused() {
+        Film film = film(ReconstructionFilter.BOX);
+        FilmSettings.Crop outside = new FilmSettings.Crop(5, 5, WIDTH, 1);
+        FilmState state = film.state(List.of(film.settings().crop()));
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> new FilmState(
+                        state.settings(),
+                        state.layers(),
+                        false,
+                        List.of(outside),
+                        new double[1],
+                        0,
+                        FilmState.Splats.NONE,
+                        0,
+                        1));
+        Film other = film(ReconstructionFilter.TENT);
+        assertThrows(IllegalArgumentException.class, () -> other.restore(state));
+        Film weighted = film(ReconstructionFilter.BOX);
+        weighted.useSampleWeights();
+        assertThrows(IllegalArgumentException.class, () -> weighted.restore(state));
+    }
+}

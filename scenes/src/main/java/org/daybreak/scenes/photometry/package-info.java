@@ -1,0 +1,3 @@
+/** Readers of photometric data of luminaires. */
+@org.jspecify.annotations.NullMarked
+package org.daybreak.scenes.photometry;

@@ -1,0 +1,191 @@
+package org.daybreak.tracing;
+
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.daybreak.core.film.Film;
+import org.daybreak.core.film.FilmSettings;
+import org.daybreak.core.render.ParameterException;
+import org.daybreak.core.render.RenderState;
+import org.daybreak.core.render.SampleAllocation;
+import org.daybreak.core.sampling.Mixing;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * As many samples in a pixel as a {@link SampleAllocation} says. Each pass has a seed of its own, and its samples the weight
+ * of the pass over the number of samples of their pixel: so a pass is an unbiased image, whatever the numbers.
+ *
+ * <p>A pass is cut into slices of about {@value #SLICE} samples per pixel, so that an image which ends early is even.
+ */
+final class AdaptiveSchedule implements SampleSchedule {
+    private static final int SLICE = 16;
+    private static final String POSITION = "pass";
+    private static final String COUNTS = "counts";
+
+    private final TileGrid grid;
+    private final Film film;
+    private final SampleAllocation allocation;
+    private final FilmSettings.Crop area;
+    private final long[] passes;
+    private final long seed;
+    private int pass;
+    private int slice;
+    private int nextTile;
+    private long before;
+    private int @Nullable [] counts;
+
+    AdaptiveSchedule(TileGrid grid, Film film, SampleAllocation allocation, long samplesPerPixel, long seed) {
+        this.grid = grid;
+        this.film = film;
+        this.allocation = allocation;
+        this.seed = seed;
+        area = film.sampleArea();
+        passes = allocation.passes(samplesPerPixel);
+    }
+
+    private int slices(int ofPass) {
+        return (int) Math.max(1, Math.min(Integer.MAX_VALUE, passes[ofPass] / SLICE));
+    }
+
+    private boolean passEnds() {
+        return nextTile == grid.count() && slice + 1 == slices(pass);
+    }
+
+    @Override
+    public boolean isDone() {
+        return passEnds() && pass + 1 == passes.length;
+    }
+
+    @Override
+    public boolean needsCommits() {
+        return passEnds() && pass + 1 < passes.length;
+    }
+
+    @Override
+    public void next(TileUnit unit) {
+        if (passEnds()) {
+            before += passes[pass];
+            pass++;
+            slice = 0;
+            nextTile = 0;
+            counts = null;
+        } else if (nextTile == grid.count()) {
+            slice++;
+            nextTile = 0;
+        }
+        int[] now = counts;
+        if (now == null) {
+            now = pass == 0 ? uniform() : allocate();
+            counts = now;
+        }
+        grid.describe(nextTile, unit);
+        unit.seed = Mixing.absorb(seed, pass);
+        unit.pass = pass;
+        unit.counts = now;
+        unit.slice = slice;
+        unit.slices = slices(pass);
+        unit.passWeight = passes[pass];
+        unit.samplesPerPixelThen = before + passes[pass];
+        unit.expected = expected(unit, now);
+        nextTile++;
+        unit.endsPass = passEnds();
+    }
+
+    private int[] uniform() {
+        int[] numbers = new int[area.width() * area.height()];
+        Arrays.fill(numbers, Math.toIntExact(passes[0]));
+        return numbers;
+    }
+
+    private static long first(int count, int slice, int slices) {
+        return (long) count * slice / slices;
+    }
+
+    /** First of the samples of a pixel in a slice. */
+    static long first(TileUnit unit, int count) {
+        return first(count, unit.slice, unit.slices);
+    }
+
+    /** The sample after the last one of a pixel in a slice. */
+    static long end(TileUnit unit, int count) {
+        return first(count, unit.slice + 1, unit.slices);
+    }
+
+    private long expected(TileUnit unit, int[] numbers) {
+        long sum = 0;
+        for (int y = unit.y - area.y(); y < unit.y - area.y() + unit.height; y++) {
+            for (int x = unit.x - area.x(); x < unit.x - area.x() + unit.width; x++) {
+                int count = numbers[y * area.width() + x];
+                sum += end(unit, count) - first(unit, count);
+            }
+        }
+        return sum;
+    }
+
+    /** Pixels beyond the crop, which the filter reaches, are taken to be like the nearest one within. */
+    private int[] allocate() {
+        FilmSettings.Crop crop = film.settings().crop();
+        int inside = crop.width() * crop.height();
+        double[] cropMeans = new double[inside];
+        double[] cropDeviations = new double[inside];
+        film.sampleStatistics(cropMeans, cropDeviations);
+        int n = area.width() * area.height();
+        double[] means = new double[n];
+        double[] deviations = new double[n];
+        for (int p = 0; p < n; p++) {
+            int x = area.x() - crop.x() + p % area.width();
+            int y = area.y() - crop.y() + p / area.width();
+            int from = Math.max(0, Math.min(crop.height() - 1, y)) * crop.width()
+                    + Math.max(0, Math.min(crop.width() - 1, x));
+            means[p] = cropMeans[from];
+            deviations[p] = cropDeviations[from];
+        }
+        int[] numbers = new int[n];
+        allocation.allocate(area.width(), area.height(), means, deviations, passes[pass], numbers);
+        return numbers;
+    }
+
+    @Override
+    public void restore(RenderState state) {
+        long[] position = state.position(POSITION, 3);
+        pass = (int) position[0];
+        slice = (int) position[1];
+        nextTile = (int) position[2];
+        if (pass < 0 || pass >= passes.length) {
+            throw new ParameterException("the state to go on from has no pass " + pass);
+        }
+        for (int i = 0; i < pass; i++) {
+            before += passes[i];
+        }
+        int n = area.width() * area.height();
+        long[] packed = state.position(COUNTS, (n + 1) / 2);
+        int[] numbers = new int[n];
+        for (int p = 0; p < n; p++) {
+            numbers[p] = (int) (packed[p / 2] >>> (p % 2 * Integer.SIZE));
+        }
+        counts = numbers;
+    }
+
+    @Override
+    public Map<String, long[]> position(TileUnit unit) {
+        return position(unit.pass, unit.slice, unit.index, unit.counts);
+    }
+
+    @Override
+    public Map<String, long[]> position() {
+        return position(pass, slice, nextTile, counts == null ? uniform() : counts);
+    }
+
+    private static Map<String, long[]> position(int pass, int slice, int tile, int @Nullable [] numbers) {
+        Map<String, long[]> position = new LinkedHashMap<>();
+        position.put(POSITION, new long[] {pass, slice, tile});
+        if (numbers != null) {
+            long[] packed = new long[(numbers.length + 1) / 2];
+            for (int p = 0; p < numbers.length; p++) {
+                packed[p / 2] |= (numbers[p] & 0xFFFF_FFFFL) << (p % 2 * Integer.SIZE);
+            }
+            position.put(COUNTS, packed);
+        }
+        return position;
+    }
+}
