@@ -31,8 +31,6 @@ import picocli.CommandLine.Parameters;
             "  daybreak convert --layer albedo picture.exr albedo.pfm"
         })
 final class ConvertCommand implements Callable<Integer> {
-    private final Session session;
-
     @Parameters(index = "0", paramLabel = "IMAGE", description = "The image.")
     private Path input = Path.of("");
 
@@ -44,10 +42,6 @@ final class ConvertCommand implements Callable<Integer> {
 
     @Option(names = "--layer", paramLabel = "LAYER", description = "Takes this layer of an exr file as the colour.")
     private String layer = "";
-
-    ConvertCommand(Session session) {
-        this.session = session;
-    }
 
     @Override
     public Integer call() {

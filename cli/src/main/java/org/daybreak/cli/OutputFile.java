@@ -23,6 +23,7 @@ import org.daybreak.exr.PfmImage;
 import org.daybreak.exr.PixelType;
 import org.daybreak.exr.PngWriter;
 import org.daybreak.exr.RadianceHdr;
+import org.jspecify.annotations.Nullable;
 
 /**
  * An image file to be written.
@@ -50,11 +51,16 @@ record OutputFile(Path path, Format format) {
         DAYBREAK("Partial film: all that the render has accumulated, for merge and --resume");
 
         private final String doc;
-        private final List<String> otherEndings;
+        /** Another ending that names the format, or null. */
+        private final @Nullable String otherEnding;
 
-        Format(String doc, String... otherEndings) {
+        Format(String doc) {
+            this(doc, null);
+        }
+
+        Format(String doc, @Nullable String otherEnding) {
             this.doc = doc;
-            this.otherEndings = List.of(otherEndings);
+            this.otherEnding = otherEnding;
         }
 
         /** The ending of file names. */
@@ -75,7 +81,7 @@ record OutputFile(Path path, Format format) {
         String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
         List<String> endings = new ArrayList<>();
         for (Format format : Format.values()) {
-            boolean known = format.ending().equals(ending) || format.otherEndings.contains(ending);
+            boolean known = format.ending().equals(ending) || ending.equals(format.otherEnding);
             if (known && name.indexOf('.') >= 0) {
                 return new OutputFile(path, format);
             }

@@ -61,7 +61,7 @@ class FlipTest {
         Map<String, float[]> errors = new HashMap<>();
         int values = 0;
         for (String line : reference().subList(1, reference().size())) {
-            String[] fields = line.split(",");
+            String[] fields = line.split(",", -1);
             float[] error = errors.computeIfAbsent(fields[0], FlipTest::error);
             double actual = 0;
             if (fields[1].equals("mean")) {
