@@ -215,8 +215,7 @@ final class CrossScenes {
     private static LightSource luminaire() {
         double[] candela = {800, 900, 300, 50, 0, 800, 600, 400, 50, 0, 800, 500, 100, 20, 0};
         return new LightSource.Photometric(
-                new PhotometricProfile(
-                        new double[] {0, 30, 60, 80, 90}, new double[] {0, 45, 90}, candela),
+                new PhotometricProfile(new double[] {0, 30, 60, 80, 90}, new double[] {0, 45, 90}, candela),
                 new Color3f(1, 0.9f, 0.8f));
     }
 

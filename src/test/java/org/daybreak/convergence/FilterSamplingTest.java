@@ -27,8 +27,8 @@ class FilterSamplingTest {
     @ParameterizedTest
     @ValueSource(strings = {"BOX", "TENT", "GAUSSIAN", "MITCHELL", "CATMULL_ROM", "BLACKMAN_HARRIS", "LANCZOS"})
     void bothWaysGiveTheSameImage(String name) throws ReflectiveOperationException {
-        ReconstructionFilter filter = (ReconstructionFilter)
-                ReconstructionFilter.class.getField(name).get(null);
+        ReconstructionFilter filter =
+                (ReconstructionFilter) ReconstructionFilter.class.getField(name).get(null);
         Runs evenly = Runs.of(Rendering.renderer("path"), scene(filter, false), 5000, RUNS, 64);
         Runs byFilter = Runs.of(Rendering.renderer("path"), scene(filter, true), 6000, RUNS, 64);
         ZTest.assertNoneRejected(name, pValues(evenly, byFilter, 1), SIGNIFICANCE);

@@ -244,8 +244,7 @@ class SceneReaderTest {
         String sky = "<emitter type='%s'><float name='turbidity' value='4'/>"
                 + "<vector name='sun_direction' value='0 1 1'/><transform name='to_world'>"
                 + "<rotate x='1' angle='-90'/></transform></emitter>";
-        List<Node> both =
-                load(String.format(sky, "sunsky")).graph().root().children();
+        List<Node> both = load(String.format(sky, "sunsky")).graph().root().children();
         LightSource.Sky first = (LightSource.Sky) ((LightNode) both.get(1)).source();
         LightSource.Sun second = (LightSource.Sun) ((LightNode) both.get(2)).source();
         assertEquals(4, first.settings().turbidity());
@@ -254,7 +253,8 @@ class SceneReaderTest {
         assertEquals(Math.sqrt(0.5), first.settings().sun().z, 1e-12);
         assertEquals(-Math.sqrt(0.5), first.settings().sun().y, 1e-12);
         assertEquals(0.5358, second.apertureDegrees());
-        assertEquals(2, load(String.format(sky, "sky")).graph().root().children().size());
+        assertEquals(
+                2, load(String.format(sky, "sky")).graph().root().children().size());
         assertInstanceOf(LightSource.Sun.class, light(String.format(sky, "sun")));
         LightSource.Sky preetham = (LightSource.Sky) light(
                 "<emitter type='sky'><string name='model' value='preetham'/><float name='hour' value='12'/></emitter>");
@@ -286,7 +286,9 @@ class SceneReaderTest {
             {"perspective", "<float name='principal_point_offset_x' value='0.2'/>", "tent", "PERSPECTIVE", "TENT"}
         }) {
             Path file = SceneTexts.write(
-                    folder, "camera.xml", "<scene version='3.0.0'>" + String.format(sensor, row[0], row[1], row[2]) + "</scene>");
+                    folder,
+                    "camera.xml",
+                    "<scene version='3.0.0'>" + String.format(sensor, row[0], row[1], row[2]) + "</scene>");
             SceneFile scene = new SceneReader(new StandardImageLoader()).load(file, Map.of());
             CameraSettings camera = Objects.requireNonNull(scene.graph().camera());
             assertEquals(row[3], camera.projection().name());

@@ -94,8 +94,7 @@ public final class AreaLight implements Light {
         double sum = 0;
         for (int i = 0; i < AVERAGING_STEPS; i++) {
             for (int j = 0; j < AVERAGING_STEPS; j++) {
-                double density =
-                        surface.sampleArea((i + 0.5) / AVERAGING_STEPS, (j + 0.5) / AVERAGING_STEPS, point);
+                double density = surface.sampleArea((i + 0.5) / AVERAGING_STEPS, (j + 0.5) / AVERAGING_STEPS, point);
                 if (density > 0) {
                     read(point, value);
                     sum += value.luminance() / density;

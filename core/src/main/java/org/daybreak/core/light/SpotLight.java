@@ -214,9 +214,10 @@ public final class SpotLight implements Light {
         out.dz = local[2];
         PointGeometry.start(x, y, z, coneDensity(), out);
         out.weight.set(intensity);
+        // What the slide holds back is black, but it has a density.
         project(out.dx, out.dy, out.dz, out.point, out.weight);
         out.weight.scale(falloff / out.densityDirection);
-        return !out.weight.isBlack();
+        return true;
     }
 
     @Override

@@ -109,8 +109,7 @@ final class LightCases {
     }
 
     static SunLight sun(double height, double aperture) {
-        return new SunLight(
-                settings(SkySettings.Kind.HOSEK_WILKIE, height), aperture, 2, TURN, 0.5, -0.5, 1, 2.5);
+        return new SunLight(settings(SkySettings.Kind.HOSEK_WILKIE, height), aperture, 2, TURN, 0.5, -0.5, 1, 2.5);
     }
 
     static ImageEnvironment environment(RadianceMap map, Transform toWorld) {

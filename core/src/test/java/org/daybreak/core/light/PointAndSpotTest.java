@@ -120,8 +120,8 @@ class PointAndSpotTest {
 
     @Test
     void profilesAreBilinearAndSymmetric() {
-        PhotometricProfile profile = new PhotometricProfile(
-                new double[] {0, 90}, new double[] {0, 90}, new double[] {100, 0, 100, 300});
+        PhotometricProfile profile =
+                new PhotometricProfile(new double[] {0, 90}, new double[] {0, 90}, new double[] {100, 0, 100, 300});
         assertEquals(100, profile.candela(0, 0, 1), 1e-9);
         double half = Math.sqrt(0.5);
         assertEquals(50, profile.candela(half, 0, half), 1e-9);

@@ -56,7 +56,8 @@ final class MeshBuilder {
         String type = p.object().type();
         boolean flip = (type.equals("obj") || type.equals("ply")) && p.truth("flip_tex_coords");
         int index = type.equals("serialized") ? p.integer("shape_index") : 0;
-        String key = type + " " + flip + " " + index + " " + file.toAbsolutePath().normalize();
+        String key =
+                type + " " + flip + " " + index + " " + file.toAbsolutePath().normalize();
         TriangleMesh mesh = read.get(key);
         if (mesh == null) {
             mesh = read(file, type, flip, index, p.location("filename"));
@@ -68,7 +69,8 @@ final class MeshBuilder {
         if (p.truth("face_normals") || flat.contains(mesh)) {
             TriangleMesh source = mesh;
             return new Mesh(
-                    flattened.computeIfAbsent(source, m -> new TriangleMesh(m.positions(), m.triangles(), null, m.uvs())),
+                    flattened.computeIfAbsent(
+                            source, m -> new TriangleMesh(m.positions(), m.triangles(), null, m.uvs())),
                     true);
         }
         if (mesh.normals() != null) {

@@ -74,8 +74,7 @@ public final class SerializedReader {
             channel.position(start);
             InputStream compressed = Channels.newInputStream(channel);
             Inflater inflater = new Inflater();
-            try (ByteSource source =
-                    new ByteSource(new InflaterInputStream(compressed, inflater, 1 << 14))) {
+            try (ByteSource source = new ByteSource(new InflaterInputStream(compressed, inflater, 1 << 14))) {
                 return new SerializedReader(source, HIGHEST_EXPANSION * (size - start)).read(version);
             } catch (ZipException e) {
                 throw new MeshFormatException(0, "the compressed data of mesh " + index + " are damaged");
@@ -100,8 +99,8 @@ public final class SerializedReader {
         ByteBuffer place = bytes(channel, size - 4 - entry * (count - index), entry, size);
         long offset = version == 4 ? place.getLong() : place.getInt() & 0xffffffffL;
         if (offset < 0 || offset > size - 8 || (bytes(channel, offset, 2, size).getShort() & 0xffff) != MAGIC) {
-            throw new MeshFormatException(0, "the table at the end of the file is damaged: mesh " + index
-                    + " would begin at byte " + offset);
+            throw new MeshFormatException(
+                    0, "the table at the end of the file is damaged: mesh " + index + " would begin at byte " + offset);
         }
         return offset + 4;
     }
@@ -136,7 +135,9 @@ public final class SerializedReader {
                 || vertices > Math.min(longest / vertexBytes, Integer.MAX_VALUE / 3 - 8)
                 || faces > Math.min(longest / 12, Integer.MAX_VALUE / 3 - 8)) {
             throw new MeshFormatException(
-                    0, "the mesh promises " + vertices + " vertices and " + faces + " triangles; the file has too few bytes");
+                    0,
+                    "the mesh promises " + vertices + " vertices and " + faces
+                            + " triangles; the file has too few bytes");
         }
         if (faces == 0) {
             throw new MeshFormatException(0, "the mesh has no triangles");
@@ -155,7 +156,8 @@ public final class SerializedReader {
             if (vertex < 0 || vertex >= count) {
                 throw new MeshFormatException(
                         0,
-                        "triangle " + i / 3 + " refers to vertex " + (vertex & 0xffffffffL) + " but there are " + count);
+                        "triangle " + i / 3 + " refers to vertex " + (vertex & 0xffffffffL) + " but there are "
+                                + count);
             }
             triangles[i] = vertex;
         }
