@@ -46,6 +46,31 @@ def plastic(nonlinear):
     }
 
 
+def stretched(distribution):
+    material = rough(distribution, 0.1)
+    del material["alpha"]
+    return material | {"alpha_u": 0.1, "alpha_v": 0.5}
+
+
+def rough_dielectric(distribution, **alpha):
+    return {
+        "type": "roughdielectric",
+        "distribution": distribution,
+        "int_ior": 1.5,
+        "ext_ior": 1.0,
+        "specular_reflectance": TINT,
+        "specular_transmittance": BASE,
+    } | alpha
+
+
+def principled(**parameters):
+    return {"type": "principled", "base_color": BASE} | parameters
+
+
+def principled_thin(**parameters):
+    return {"type": "principledthin", "base_color": BASE} | parameters
+
+
 CONTINUOUS = {
     "diffuse": {"type": "diffuse", "reflectance": BASE},
     "ggx0.12": rough("ggx", 0.12),
@@ -55,11 +80,60 @@ CONTINUOUS = {
     "plastic": plastic(False),
     "plastic-nonlinear": plastic(True),
     "twosided": {"type": "twosided", "bsdf": rough("ggx", 0.6)},
+    "ggx-stretched": stretched("ggx"),
+    "beckmann-stretched": stretched("beckmann"),
+    "glass-ggx": rough_dielectric("ggx", alpha=0.3),
+    "glass-ggx-stretched": rough_dielectric("ggx", alpha_u=0.15, alpha_v=0.5),
+    "glass-beckmann": rough_dielectric("beckmann", alpha=0.3),
+    "principled": principled(),
+    "principled-metal": principled(metallic=1.0, roughness=0.4, anisotropic=0.7, eta=1.5),
+    "principled-glass": principled(spec_trans=1.0, roughness=0.5, eta=1.5),
+    "principled-coat": principled(clearcoat=1.0, clearcoat_gloss=0.2, roughness=0.6, spec_tint=0.3, metallic=0.2),
+    "principled-all": principled(
+        roughness=0.5,
+        anisotropic=0.5,
+        metallic=0.3,
+        spec_trans=0.4,
+        eta=1.4,
+        spec_tint=0.6,
+        sheen=0.7,
+        sheen_tint=0.5,
+        flatness=0.4,
+        clearcoat=0.8,
+        clearcoat_gloss=0.1,
+    ),
+    "thin-all": principled_thin(
+        roughness=0.4,
+        spec_trans=0.5,
+        eta=1.5,
+        spec_tint=0.4,
+        sheen=0.5,
+        sheen_tint=0.3,
+        flatness=0.5,
+        diff_trans=0.8,
+    ),
+    "thin-pane": principled_thin(roughness=0.5, anisotropic=0.6, spec_trans=1.0, eta=1.4),
+    "thin-paper": principled_thin(roughness=0.5, diff_trans=1.0),
+    "blend": {"type": "blendbsdf", "weight": 0.3, "a": rough("ggx", 0.6), "b": {"type": "diffuse", "reflectance": BASE}},
+    "normalmap": {
+        "type": "normalmap",
+        "flip_invalid_normals": False,
+        "normalmap": {
+            "type": "bitmap",
+            "bitmap": mi.Bitmap(mi.TensorXf([0.65, 0.4, 0.9], (1, 1, 3))),
+            "raw": True,
+        },
+        "bsdf": {"type": "diffuse", "reflectance": BASE},
+    },
 }
+
+# Every fourth pair of these passes through, near the refracted direction for the index 1.5.
+TRANSMISSIVE = ("glass", "principled-glass", "principled-all", "thin")
 
 DELTA = {
     "conductor": {"type": "conductor", "eta": ETA, "k": K, "specular_reflectance": TINT},
     "dielectric": {"type": "dielectric", "int_ior": 1.5, "ext_ior": 1.0, "specular_transmittance": TINT},
+    "thindielectric": {"type": "thindielectric", "int_ior": 1.5, "ext_ior": 1.0, "specular_transmittance": TINT},
 }
 
 
@@ -109,6 +183,10 @@ def direction(rng, down):
 def interaction(wo):
     si = mi.SurfaceInteraction3f()
     si.wi = mi.Vector3f(wo)
+    si.n = mi.Normal3f(0, 0, 1)
+    si.sh_frame = mi.Frame3f(mi.Vector3f(1, 0, 0), mi.Vector3f(0, 1, 0), mi.Normal3f(0, 0, 1))
+    si.dp_du = mi.Vector3f(1.5, 0, 0)
+    si.dp_dv = mi.Vector3f(0.25, -0.8, 0)
     return si
 
 
@@ -141,6 +219,12 @@ def values():
                     wi[2] = -wi[2]
             else:
                 wi = direction(rng, down=i % 8 >= 6)
+            if name.startswith(TRANSMISSIVE) and i % 4 == 1:
+                eta = 1.5 if wo[2] > 0 else 1 / 1.5
+                x, y = (-wo[j] / eta + 0.1 * rng.gauss(0, 1) for j in (0, 1))
+                shrink = min(1, 0.99 / math.hypot(x, y))
+                x, y = shrink * x, shrink * y
+                wi = [x, y, -math.copysign(math.sqrt(1 - x * x - y * y), wo[2])]
             si = interaction(wo)
             f = bsdf.eval(context, si, mi.Vector3f(wi))
             yield line(name, *wo, *wi, *f, bsdf.pdf(context, si, mi.Vector3f(wi)))

@@ -62,7 +62,9 @@ class ArchitectureTest {
             "javax.vecmath");
 
     /** What single library modules may use besides. */
-    private static final Map<String, Set<String>> EXTRA = Map.of("accel", Set.of("jdk.incubator.vector"));
+    private static final Map<String, Set<String>> EXTRA = Map.of(
+            "accel", Set.of("jdk.incubator.vector"),
+            "scenes", Set.of("com.fasterxml.jackson.core", "com.fasterxml.jackson.core.."));
 
     private static final Pattern NULL_MARKED =
             Pattern.compile("^@(org\\.jspecify\\.annotations\\.)?NullMarked$", Pattern.MULTILINE);

@@ -47,7 +47,7 @@ final class RenderCommand implements Callable<Integer> {
 
     private final Session session;
 
-    @Parameters(paramLabel = "SCENE", description = "Scene file (Mitsuba 3 XML).")
+    @Parameters(paramLabel = "SCENE", description = "Scene (Mitsuba XML) or model (obj, ply, stl).")
     private Path scene = Path.of("");
 
     @Option(

@@ -55,6 +55,24 @@ class RenderCommandTest {
         assertTrue(result.err().contains("rendered in") && result.err().contains("wrote " + exr), result.err());
     }
 
+    /** A model shows up in the middle of the picture, before the grey of its environment. */
+    @Test
+    void rendersABareModel() throws IOException {
+        Path model = Files.writeString(folder.resolve("m.obj"), """
+                v -1 -1 0
+                v 1 -1 0
+                v 1 1 0
+                v -1 1 0
+                vn 0 0 1
+                f 1//1 2//1 3//1 4//1
+                """);
+        Cli.Result result = Cli.run("render", model, "-o", exr, "--size", "16x12", "--spp", 16, "--progress", "none");
+        assertEquals(0, result.code(), result.err());
+        float[] red = ExrReader.read(exr).samples("R");
+        assertEquals(0.35, red[0], 1e-3, "the environment");
+        assertTrue(red[6 * 16 + 8] > 0.4 && red[6 * 16 + 8] < 0.8, "the model: " + red[6 * 16 + 8]);
+    }
+
     @Test
     void exrTellsHowItWasMade() throws IOException {
         assertEquals(

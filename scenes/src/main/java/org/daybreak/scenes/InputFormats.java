@@ -25,10 +25,18 @@ public final class InputFormats {
     public static List<Format> formats() {
         return List.of(
                 new Format(
-                        "Mitsuba 3 XML",
+                        "Mitsuba XML",
                         List.of("xml"),
-                        "Scenes, with <default>, <include>, <ref> and transforms; the types of objects are listed below."),
-                new Format("Wavefront OBJ", List.of("obj"), "Polygon meshes; materials are not read."),
+                        "Scenes of Mitsuba 3, 2 and 0.6, with <default>, <include>, <ref> and transforms; the types of"
+                                + " objects are listed below."),
+                new Format(
+                        "glTF 2.0",
+                        List.of("gltf", "glb"),
+                        "Scenes, text and binary; camera and light are added where there are none."),
+                new Format(
+                        "Wavefront OBJ",
+                        List.of("obj"),
+                        "Polygon meshes; with the materials of their MTL files when rendered by themselves."),
                 new Format("PLY", List.of("ply"), "Polygon meshes; ASCII and binary of both byte orders."),
                 new Format("STL", List.of("stl"), "Triangle meshes, flat; ASCII and binary."));
     }

@@ -9,6 +9,7 @@ import org.daybreak.scenes.description.ProblemList;
 import org.daybreak.scenes.description.SceneDescription;
 import org.daybreak.scenes.description.SceneException;
 import org.daybreak.scenes.description.SourceLocation;
+import org.daybreak.scenes.gltf.GltfReader;
 import org.daybreak.scenes.image.ImageLoader;
 import org.daybreak.scenes.image.StandardImageLoader;
 import org.daybreak.scenes.mitsuba.MitsubaReader;
@@ -36,7 +37,8 @@ public final class SceneReader {
     }
 
     /**
-     * Reads a scene in the XML format of Mitsuba, or a mesh (obj, ply, stl), which gets the view of {@link AutoView}.
+     * Reads a scene in the XML format of Mitsuba, a glTF file (gltf, glb) or a mesh (obj, ply, stl). What the latter two lack
+     * of camera and light comes from {@link AutoView}.
      *
      * @param file the file; names in it are relative to it
      * @param defines values for {@code $name} in attributes; they go before {@code <default>} values
@@ -45,7 +47,7 @@ public final class SceneReader {
      */
     public SceneFile load(Path file, Map<String, String> defines) throws SceneException {
         ProblemList problems = new ProblemList();
-        if (ModelReader.isModel(file)) {
+        if (ModelReader.isModel(file) || GltfReader.isGltf(file)) {
             return loadModel(file, defines, problems);
         }
         Optional<SceneDescription> description = MitsubaReader.read(file, defines, problems);
@@ -62,11 +64,22 @@ public final class SceneReader {
     private SceneFile loadModel(Path file, Map<String, String> defines, ProblemList problems) throws SceneException {
         for (String name : new TreeSet<>(defines.keySet())) {
             problems.error(
-                    SourceLocation.of(file), "a mesh has no attributes that could use the definition '" + name + "'");
+                    SourceLocation.of(file), "only XML has attributes that could use the definition '" + name + "'");
         }
-        SceneBuilder.Result result = SceneBuilder.build(ModelReader.read(file), images, problems);
+        Optional<SceneDescription> description = GltfReader.isGltf(file)
+                ? GltfReader.read(file, problems)
+                : Optional.of(ModelReader.read(file, problems));
+        if (description.isEmpty()) {
+            throw new SceneException(problems.errors());
+        }
+        SceneBuilder.Result result = SceneBuilder.build(description.get(), images, problems);
         problems.throwIfErrors();
-        AutoView.complete(result.graph(), ModelReader.zPointsUp(file) ? AutoView.UpAxis.Z : AutoView.UpAxis.Y);
+        try {
+            AutoView.complete(result.graph(), ModelReader.zPointsUp(file) ? AutoView.UpAxis.Z : AutoView.UpAxis.Y);
+        } catch (IllegalArgumentException e) {
+            problems.error(SourceLocation.of(file), String.valueOf(e.getMessage()));
+            throw new SceneException(problems.errors());
+        }
         return new SceneFile(result.graph(), result.request(), problems.warnings());
     }
 }

@@ -1,6 +1,6 @@
 /**
- * Reads scene files into the scene graph in three steps: text to description records ({@code scenes.mitsuba}), records to
- * scene graph ({@code scenes.build}), and this package, which joins them for callers.
+ * Reads scene files into the scene graph in three steps: text to description records ({@code scenes.mitsuba}, {@code
+ * scenes.model}), records to scene graph ({@code scenes.build}), and this package, which joins them for callers.
  *
  * <p>Files mean what they mean to Mitsuba 3.9, with these differences.
  *

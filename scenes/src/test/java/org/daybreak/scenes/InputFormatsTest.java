@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
@@ -15,7 +16,9 @@ import org.daybreak.scenes.build.PropertyDefinition;
 import org.daybreak.scenes.build.ValueType;
 import org.daybreak.scenes.description.ObjectKind;
 import org.daybreak.scenes.description.SceneException;
+import org.daybreak.scenes.mesh.SerializedReaderTest;
 import org.daybreak.scenes.mesh.StlReaderTest;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -47,8 +50,12 @@ class InputFormatsTest {
                 0 0 0 1 0 0 0 1 0 3 0 1 2
                 """);
         SceneTexts.write(folder, "t.stl", StlReaderTest.FACET);
+        for (String curve : new String[] {"t.bsplinecurve", "t.linearcurve"}) {
+            SceneTexts.write(folder, curve, "0 0 0 1\n1 0 0 1\n2 1 0 1\n3 1 1 0.5\n");
+        }
+        Files.write(folder.resolve("t.serialized"), SerializedReaderTest.file(4, 0x1000, 1));
         ImageIO.write(
-                new BufferedImage(2, 1, BufferedImage.TYPE_INT_RGB),
+                new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB),
                 "png",
                 folder.resolve("t.png").toFile());
         String object = object(plugin);
@@ -78,9 +85,11 @@ class InputFormatsTest {
                 xml.append(
                         plugin.type().equals("instance")
                                 ? "<shape type='shapegroup'><shape type='disk'/></shape>"
-                                : p.kind() == ObjectKind.SHAPE ? "<shape type='disk'/>" : "<bsdf type='diffuse'/>");
+                                : nested(p.kind()).repeat((int) p.minimum()));
             } else if (p.type() == ValueType.FILE) {
-                String ending = plugin.kind() == ObjectKind.SHAPE ? plugin.type() : "png";
+                boolean image =
+                        plugin.kind() != ObjectKind.SHAPE || plugin.type().equals("heightfield");
+                String ending = image ? "png" : plugin.type();
                 xml.append("<string name='filename' value='t.").append(ending).append("'/>");
             } else if (p.name().equals("aperture_radius")) {
                 xml.append("<float name='aperture_radius' value='0.1'/>");
@@ -100,15 +109,21 @@ class InputFormatsTest {
         return xml.append("</").append(plugin.kind().element()).append(">").toString();
     }
 
+    private static String nested(@Nullable ObjectKind kind) {
+        return kind == ObjectKind.SHAPE
+                ? "<shape type='disk'/>"
+                : kind == ObjectKind.TEXTURE ? "<texture type='checkerboard'/>" : "<bsdf type='diffuse'/>";
+    }
+
     private static String element(PropertyDefinition p, String value) {
         return switch (p.type()) {
             case INTEGER -> "integer";
-            case FLOAT -> "float";
+            case FLOAT, TEXTURED_NUMBER -> "float";
             case BOOLEAN -> "boolean";
             case POINT -> "point";
             case COLOR, REFLECTANCE, EMISSION, TEXTURED_EMISSION -> "rgb";
             case REFRACTIVE_INDEX, STRING, CHOICE, FILE -> "string";
-            case TRANSFORM, OBJECT -> throw new AssertionError(value);
+            case TRANSFORM, OBJECT, MESH -> throw new AssertionError(value);
         };
     }
 

@@ -13,9 +13,12 @@ import java.util.Arrays;
 import java.util.Map;
 import java.util.SplittableRandom;
 import org.daybreak.scenes.description.SceneException;
+import org.daybreak.scenes.mesh.CurveReader;
 import org.daybreak.scenes.mesh.MeshFormatException;
 import org.daybreak.scenes.mesh.ObjReader;
 import org.daybreak.scenes.mesh.PlyReader;
+import org.daybreak.scenes.mesh.SerializedReader;
+import org.daybreak.scenes.mesh.SerializedReaderTest;
 import org.daybreak.scenes.mesh.StlReader;
 import org.daybreak.scenes.mesh.StlReaderTest;
 import org.junit.jupiter.api.Test;
@@ -37,6 +40,32 @@ class MutationTest {
             + "<scale value='2'/><matrix value='1 0 0 0 1 0 0 0 1'/></transform></shape>\n"
             + "<shape type='ply'><string name='filename' value='t.ply'/><emitter type='area'/></shape>"
             + "<emitter type='spot'><spectrum name='intensity' value='3'/></emitter><!-- end -->\n</scene>\n";
+    private static final String OLD_SCENE =
+            "<scene version='0.5.0'><integrator type='bdpt'><integer name='maxDepth' value='5'/>"
+                    + "</integrator><sensor type='perspective'><float name='focusDistance' value='2'/><transform name='toWorld'>"
+                    + "<lookAt origin='0,0,5' target='0,0,0' up='0,1,0'/></transform><sampler type='halton'>"
+                    + "<integer name='sampleCount' value='4'/></sampler><film type='ldrfilm'><integer name='width' value='8'/>"
+                    + "<float name='gamma' value='2.2'/></film></sensor><bsdf type='twosided'>"
+                    + "<bsdf type='diffuse'><spectrum name='reflectance' "
+                    + "value='400:.1,500:.3,700:.2'/></bsdf><bsdf type='plastic'><srgb name='diffuseReflectance' value='#102030'/>"
+                    + "</bsdf></bsdf><shape type='ply'><string name='filename' value='t.ply'/>"
+                    + "<bsdf type='diffuse'><texture name='reflectance' type='checkerboard'><float name='uscale' value='3'/>"
+                    + "</texture></bsdf></shape><emitter type='constant'><blackbody name='radiance' temperature='5000K' "
+                    + "scale='1e-4'/></emitter></scene>";
+    private static final String MTL = """
+            newmtl a
+            Kd 0.5 0.6 0.7
+            Ks 0.1 0.1 0.1
+            Ns 30
+            d 0.5
+            illum 2
+            newmtl b
+            Ke 1 2 3
+            Ni 1.45
+            Tf 1 1 0.9
+            illum 7
+            map_Kd -s 2 2 -o 0.1 none.png
+            """;
     private static final String OBJ = """
             # cube corner
             v 0 0 0
@@ -186,5 +215,60 @@ class MutationTest {
     @Test
     void binaryStlFiles() throws IOException {
         mutate("b.stl", StlReaderTest.binary("solid or not", 3, 0), 6, file -> StlReader.read(file));
+    }
+
+    @Test
+    void serializedFiles() throws IOException {
+        mutate("t.serialized", SerializedReaderTest.file(4, 0x100b, 2), 7, file -> SerializedReader.read(file, 1));
+        mutate("t.serialized", SerializedReaderTest.file(3, 0x2001, 2), 8, file -> SerializedReader.read(file, 0));
+    }
+
+    @Test
+    void oldScenes() throws IOException {
+        Files.writeString(folder.resolve("t.ply"), PLY);
+        mutate(
+                "scene.xml",
+                OLD_SCENE.getBytes(StandardCharsets.UTF_8),
+                9,
+                file -> new SceneReader().load(file, Map.of()));
+    }
+
+    @Test
+    void asciiPlyStrips() throws IOException {
+        String strips = PLY.substring(0, PLY.indexOf("element face"))
+                + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                + "0 0 0 1 1 0 0 2 1 1 0 3 0 1 0.5 4\n8 0 1 2 3 -1 1 2 3\n";
+        mutate("s.ply", strips.getBytes(StandardCharsets.UTF_8), 10, file -> PlyReader.read(file, false));
+    }
+
+    @Test
+    void materialFiles() throws IOException {
+        Files.writeString(
+                folder.resolve("m.obj"),
+                "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl b\nf 3 2 1\n");
+        // Whatever is wrong in a material file is a warning at most.
+        SplittableRandom random = new SplittableRandom(11);
+        byte[] mtl = MTL.getBytes(StandardCharsets.UTF_8);
+        for (int i = 0; i < MUTATIONS; i++) {
+            Files.write(folder.resolve("m.mtl"), mutated(mtl, random));
+            try {
+                new SceneReader().load(folder.resolve("m.obj"), Map.of());
+            } catch (SceneException e) {
+                throw new AssertionError("mutation " + i, e);
+            }
+        }
+    }
+
+    @Test
+    void objFilesWithMaterials() throws IOException {
+        Files.writeString(folder.resolve("m.mtl"), MTL);
+        String obj = "mtllib m.mtl\n" + OBJ.replace("f -4", "usemtl b\nf -4");
+        mutate("m.obj", obj.getBytes(StandardCharsets.UTF_8), 12, file -> new SceneReader().load(file, Map.of()));
+    }
+
+    @Test
+    void curveFiles() throws IOException {
+        String text = "0 0 0 1\n1 0.5 0 1\n2 1e0 0 .5\n3 1 1 0\n\n0 0 0 1\n1 1 1 1\n2 1 0 1\n2 2 2 2\n";
+        mutate("t.txt", text.getBytes(StandardCharsets.UTF_8), 13, file -> CurveReader.read(file));
     }
 }

@@ -99,23 +99,57 @@ class SceneErrorsTest {
                         "<bsdf type='diffuse'>§<rgb name='reflectance' value='#12345'/></bsdf>",
                         "is not a colour like"),
                 arguments(
-                        "<bsdf type='diffuse'>§<spectrum name='reflectance' value='400:1, 700:0.5'/></bsdf>",
-                        "spectra by wavelength are not supported"),
+                        "<bsdf type='diffuse'>§<spectrum name='reflectance' value='700:1, 400:0.5'/></bsdf>",
+                        "the wavelengths of a spectrum must ascend"),
+                arguments(
+                        "<bsdf type='diffuse'>§<spectrum name='reflectance' value='400:1'/></bsdf>",
+                        "at least 2 but has 1 wavelengths"),
+                arguments(
+                        "<bsdf type='diffuse'>§<spectrum name='reflectance' value='1, 2, 3'/></bsdf>",
+                        "'1, 2, 3' is not a finite number"),
+                arguments(
+                        "<bsdf type='diffuse'>§<spectrum name='reflectance' filename='no.spd'/></bsdf>",
+                        "cannot read the spectrum"),
+                arguments(
+                        "<emitter type='constant'>§<spectrum name='radiance' type='blackbodi'/></emitter>",
+                        "did you mean 'blackbody'?"),
                 arguments("<bsdf type='diffuse'>§<texture type='checkerboard'/></bsdf>", "needs a name: reflectance"),
                 arguments(
                         "<bsdf type='diffuse'>§<texture name='reflectance' type='checkerboard'>"
                                 + "<rgb name='color1' value='3'/></texture></bsdf>",
                         "must not exceed 1 but its texture reaches 3"),
                 arguments(
-                        "<bsdf type='conductor'>§<string name='material' value='Au'/></bsdf>",
-                        "metals by name ('Au') are not supported"),
-                arguments(
                         "<bsdf type='roughplastic'>§<texture name='alpha' type='checkerboard'/></bsdf>",
                         "but is a texture"),
                 arguments(
-                        "<bsdf type='roughconductor'>§<float name='alpha_u' value='0.1'/>"
-                                + "<float name='alpha_v' value='0.2'/></bsdf>",
-                        "anisotropic roughness is not supported"),
+                        "<bsdf type='conductor'>§<string name='material' value='Aul'/></bsdf>",
+                        "there is no metal 'Aul' (give 'eta' and 'k' for others); did you mean 'Al'"),
+                arguments(
+                        "<bsdf type='conductor'>§<string name='material' value='Au'/><rgb name='k' value='1'/></bsdf>",
+                        "not both"),
+                arguments(
+                        "<bsdf type='roughconductor'><float name='alpha' value='0.1'/>"
+                                + "§<float name='alpha_u' value='0.1'/><float name='alpha_v' value='0.2'/></bsdf>",
+                        "not both"),
+                arguments(
+                        "<bsdf type='principled'>§<float name='eta' value='1.5'/>"
+                                + "<float name='specular' value='0.5'/></bsdf>",
+                        "either 'eta' or 'specular'"),
+                arguments(
+                        "<bsdf type='principled'>§<float name='roughness' value='1.5'/></bsdf>",
+                        "a float or a texture with values from 0 to 1"),
+                arguments(
+                        "§<bsdf type='roughdielectric'><float name='int_ior' value='1.5'/>"
+                                + "<float name='ext_ior' value='1.5'/></bsdf>",
+                        "must differ"),
+                arguments(
+                        "§<bsdf type='leaf'><float name='reflectance' value='0.6'/></bsdf>",
+                        "front reflectance and transmittance must not exceed 1 together"),
+                arguments("§<bsdf type='blendbsdf'><bsdf type='diffuse'/></bsdf>", "must contain exactly 2 <bsdf>"),
+                arguments(
+                        "<bsdf type='bumpmap'>§<texture type='mesh_attribute'><string name='name' value='x'/>"
+                                + "</texture><bsdf type='diffuse'/></bsdf>",
+                        "only mesh attribute"),
                 arguments("<bsdf type='roughconductor'>§<float name='alpha_u' value='0.1'/></bsdf>", "given together"),
                 arguments(
                         "<bsdf type='roughconductor'>§<string name='distribution' value='phong'/></bsdf>",
@@ -236,9 +270,6 @@ class SceneErrorsTest {
                         ":2:2: the root of a scene file must be <scene> but is <sensor>"),
                 arguments("<scene version='3.0.0'>\n<film type='hdrfilm'></b>\n</scene>", "the XML is not well-formed"),
                 arguments("hello", "the XML is not well-formed"),
-                arguments(
-                        "<scene version='1.0.0'>" + SceneTexts.SENSOR + "</scene>",
-                        ":1:1: the scene is of version 1.0.0"),
                 arguments(
                         "<scene version='x'>" + SceneTexts.SENSOR + "</scene>",
                         ":1:1: the version 'x' is not of the form"),

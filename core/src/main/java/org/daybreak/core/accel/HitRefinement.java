@@ -239,6 +239,17 @@ public final class HitRefinement {
                 ny = objectY;
                 nz = 0;
             }
+            case CONE -> {
+                double length = Math.sqrt(objectX * objectX + objectY * objectY);
+                nx = length > 0 ? objectX / length : 1;
+                ny = length > 0 ? objectY / length : 0;
+                nz = quadric.taper();
+                double edge = edgeInset(quadric, inset, nx, ny, nz);
+                objectZ = Math.min(1 - edge, Math.max(edge, objectZ));
+                double radius = 1 - nz * objectZ;
+                objectX = radius * nx;
+                objectY = radius * ny;
+            }
             default -> throw new IllegalStateException("unknown kind: " + quadric.kind());
         }
         x = place(quadric, 0);

@@ -8,6 +8,7 @@ public final class OtherPrimitives {
     private final int triangleCount;
     private final int quadricCount;
     private final int[] kinds;
+    private final double[] tapers;
     private final double[] worldToObject;
     private final Instance[] instances;
 
@@ -16,9 +17,11 @@ public final class OtherPrimitives {
         triangleCount = set.triangleCount();
         quadricCount = set.quadricCount();
         kinds = new int[quadricCount];
+        tapers = new double[quadricCount];
         worldToObject = new double[12 * quadricCount];
         for (int i = 0; i < quadricCount; i++) {
             kinds[i] = set.quadric(i).tag();
+            tapers[i] = set.quadric(i).taper();
             set.quadric(i).copyWorldToObject(worldToObject, 12 * i);
         }
         instances = new Instance[set.instanceCount()];
@@ -36,7 +39,17 @@ public final class OtherPrimitives {
     public boolean intersect(Ray ray, int index, double tMax) {
         if (index < quadricCount) {
             double t = Quadric.intersect(
-                    kinds[index], worldToObject, 12 * index, ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, tMax);
+                    kinds[index],
+                    tapers[index],
+                    worldToObject,
+                    12 * index,
+                    ray.ox,
+                    ray.oy,
+                    ray.oz,
+                    ray.dx,
+                    ray.dy,
+                    ray.dz,
+                    tMax);
             if (t < tMax) {
                 ray.t = t;
                 ray.primitive = triangleCount + index;
@@ -64,6 +77,7 @@ public final class OtherPrimitives {
         if (index < quadricCount) {
             return Quadric.intersect(
                             kinds[index],
+                            tapers[index],
                             worldToObject,
                             12 * index,
                             ray.ox,
@@ -84,6 +98,6 @@ public final class OtherPrimitives {
 
     /** Memory held, in bytes, without the levels that the instances place. */
     public long memoryBytes() {
-        return 4L * kinds.length + 8L * worldToObject.length + 8L * instances.length;
+        return 12L * kinds.length + 8L * worldToObject.length + 8L * instances.length;
     }
 }

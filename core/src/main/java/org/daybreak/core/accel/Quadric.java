@@ -12,16 +12,20 @@ public final class Quadric {
         /** z = 0, x² + y² ≤ 1. */
         DISK,
         /** x² + y² = 1, 0 ≤ z ≤ 1; the lateral surface only. */
-        CYLINDER
+        CYLINDER,
+        /** x² + y² = (1 − t·z)², 0 ≤ z ≤ 1, with a taper t from 0 to 1; the lateral surface only. */
+        CONE
     }
 
     private static final int SPHERE_TAG = 0;
     private static final int DISK_TAG = 1;
     private static final int CYLINDER_TAG = 2;
+    private static final int CONE_TAG = 3;
 
     private final Kind kind;
     private final double[] objectToWorld;
     private final double[] worldToObject;
+    private final double taper;
 
     /**
      * Creates a surface.
@@ -32,8 +36,26 @@ public final class Quadric {
      * @throws IllegalArgumentException if an entry is not finite or the maps are not inverse to each other
      */
     public Quadric(Kind kind, double[] objectToWorld, double[] worldToObject) {
+        this(kind, kind == Kind.CONE ? 1 : 0, objectToWorld, worldToObject);
+    }
+
+    /**
+     * Creates a surface.
+     *
+     * @param kind canonical shape
+     * @param taper of a cone, from 0 to 1; for other kinds 0
+     * @param objectToWorld rows of the 3×4 matrix that maps the canonical shape to its place
+     * @param worldToObject its inverse
+     * @throws IllegalArgumentException if an entry is not finite, the maps are not inverse to each other, or the taper is
+     *     out of range
+     */
+    public Quadric(Kind kind, double taper, double[] objectToWorld, double[] worldToObject) {
         Affine.check(objectToWorld, worldToObject);
+        if (!(taper >= 0 && taper <= 1) || (kind != Kind.CONE && taper != 0)) {
+            throw new IllegalArgumentException("a " + kind + " cannot have the taper " + taper);
+        }
         this.kind = kind;
+        this.taper = taper;
         this.objectToWorld = objectToWorld.clone();
         this.worldToObject = worldToObject.clone();
     }
@@ -49,9 +71,23 @@ public final class Quadric {
         this(kind, objectToWorld, Affine.invert(objectToWorld));
     }
 
+    /**
+     * A cone with another taper in the same place.
+     *
+     * @throws IllegalArgumentException if this is no cone or the taper is not from 0 to 1
+     */
+    public Quadric withTaper(double newTaper) {
+        return new Quadric(kind, newTaper, objectToWorld, worldToObject);
+    }
+
     /** Canonical shape. */
     public Kind kind() {
         return kind;
+    }
+
+    /** Taper of a cone; 0 for other kinds. */
+    public double taper() {
+        return taper;
     }
 
     /** The kind as the number that kernels switch on. */
@@ -60,6 +96,7 @@ public final class Quadric {
             case SPHERE -> SPHERE_TAG;
             case DISK -> DISK_TAG;
             case CYLINDER -> CYLINDER_TAG;
+            case CONE -> CONE_TAG;
         };
     }
 
@@ -89,9 +126,10 @@ public final class Quadric {
             double c = objectToWorld[4 * axis + 2];
             double centre = objectToWorld[4 * axis + 3];
             double radius = Math.sqrt(a * a + b * b + (kind == Kind.SPHERE ? c * c : 0));
-            double shift = kind == Kind.CYLINDER ? c : 0;
-            double low = centre - radius + Math.min(0, shift);
-            double high = centre + radius + Math.max(0, shift);
+            double shift = kind == Kind.CYLINDER || kind == Kind.CONE ? c : 0;
+            double farRadius = radius * (1 - taper);
+            double low = centre + Math.min(-radius, shift - farRadius);
+            double high = centre + Math.max(radius, shift + farRadius);
             double rounding = 0x1p-48 * (Math.abs(centre) + radius + Math.abs(shift));
             target[axis] = low - rounding;
             target[axis + 3] = high + rounding;
@@ -102,12 +140,14 @@ public final class Quadric {
      * Least parameter in (0, tMax) at which a ray meets a quadric.
      *
      * @param tag {@link #tag} of the quadric
+     * @param taper of a cone, else 0
      * @param m array that holds the map from world to object
      * @param at where in the array it starts
      * @return the parameter, or +∞ if there is none
      */
     static double intersect(
             int tag,
+            double taper,
             double[] m,
             int at,
             double wox,
@@ -126,7 +166,8 @@ public final class Quadric {
         return switch (tag) {
             case SPHERE_TAG -> sphere(ox, oy, oz, dx, dy, dz, tMax);
             case DISK_TAG -> disk(ox, oy, oz, dx, dy, dz, tMax);
-            default -> cylinder(ox, oy, oz, dx, dy, dz, tMax);
+            case CYLINDER_TAG -> cylinder(ox, oy, oz, dx, dy, dz, tMax);
+            default -> cone(taper, ox, oy, oz, dx, dy, dz, tMax);
         };
     }
 
@@ -179,6 +220,46 @@ public final class Quadric {
         }
         double c = ox * ox + oy * oy - 1;
         double q = b + Math.copySign(Math.sqrt(a * rest), b);
+        double t0 = c / q;
+        double t1 = q / a;
+        double near = Math.min(t0, t1);
+        if (near > 0 && near < tMax) {
+            double z = oz + near * dz;
+            if (z >= 0 && z <= 1) {
+                return near;
+            }
+        }
+        double far = Math.max(t0, t1);
+        if (far > 0 && far < tMax) {
+            double z = oz + far * dz;
+            if (z >= 0 && z <= 1) {
+                return far;
+            }
+        }
+        return Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * The discriminant does not change along the ray, so that it is taken at the point nearest to the middle of the cone,
+     * where it keeps its digits; coefficients and roots are those at the origin, as for the sphere.
+     */
+    private static double cone(
+            double taper, double ox, double oy, double oz, double dx, double dy, double dz, double tMax) {
+        double slope = taper * dz;
+        double a = dx * dx + dy * dy - slope * slope;
+        double nearest = -(ox * dx + oy * dy + (oz - 0.5) * dz) / (dx * dx + dy * dy + dz * dz);
+        double fx = ox + nearest * dx;
+        double fy = oy + nearest * dy;
+        double fr = 1 - taper * (oz + nearest * dz);
+        double fb = fx * dx + fy * dy + fr * slope;
+        double discriminant = fb * fb - a * (fx * fx + fy * fy - fr * fr);
+        if (!(discriminant >= 0)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double r = 1 - taper * oz;
+        double b = -(ox * dx + oy * dy + r * slope);
+        double c = ox * ox + oy * oy - r * r;
+        double q = b + Math.copySign(Math.sqrt(discriminant), b);
         double t0 = c / q;
         double t1 = q / a;
         double near = Math.min(t0, t1);

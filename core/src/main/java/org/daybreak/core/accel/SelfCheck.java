@@ -77,7 +77,9 @@ public final class SelfCheck {
         Quadric[] quadrics = {
             new Quadric(Quadric.Kind.SPHERE, new double[] {0.3, 0, 0, 0.5, 0, 0.2, 0, 0, 0, 0.1, 0.3, 0}),
             new Quadric(Quadric.Kind.DISK, new double[] {0.3, 0, 0, -0.5, 0, 0.2, 0, 0, 0, 0.1, 0.3, 0}),
-            new Quadric(Quadric.Kind.CYLINDER, new double[] {0.3, 0, 0, 0, 0, 0.2, 0, 0, 0, 0.1, 0.3, 0.5})
+            new Quadric(Quadric.Kind.CYLINDER, new double[] {0.3, 0, 0, 0, 0, 0.2, 0, 0, 0, 0.1, 0.3, 0.5}),
+            new Quadric(Quadric.Kind.CONE, new double[] {0.3, 0, 0, 0.5, 0, 0.2, 0, -0.5, 0, 0.1, 0.3, 0})
+                    .withTaper(0.7)
         };
         return new PrimitiveSet(positions, corners, quadrics, new Instance[0]);
     }

@@ -12,11 +12,15 @@ import org.jspecify.annotations.Nullable;
  * 0.909), whose luminance is 1.
  */
 public final class SpectralColors {
-    /** Planck's constant times the speed of light over Boltzmann's constant, in nm·K. */
-    private static final double SECOND_RADIATION_CONSTANT = 1.438776877e7;
+    private static final double PLANCK = 6.62607015e-34;
+    private static final double LIGHT_SPEED = 299_792_458;
+    private static final double BOLTZMANN = 1.380649e-23;
+
+    /** hc/k in nm·K. */
+    private static final double SECOND_RADIATION_CONSTANT = PLANCK * LIGHT_SPEED / BOLTZMANN * 1e9;
 
     /** 2hc² in W·nm⁴/(m²·sr): radiance per nm of wavelength is this over λ⁵ (exp(c₂/λT) − 1). */
-    private static final double FIRST_RADIATION_CONSTANT = 1.191042972e20;
+    private static final double FIRST_RADIATION_CONSTANT = 2 * PLANCK * LIGHT_SPEED * LIGHT_SPEED * 1e36;
 
     private static final int STEPS_PER_NANOMETRE = 8;
 

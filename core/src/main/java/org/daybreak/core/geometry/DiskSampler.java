@@ -96,6 +96,7 @@ final class DiskSampler implements SurfaceSampler {
         toWorld.applyInversePoint(point.x, point.y, point.z, p);
         point.u = Math.min(1, Math.sqrt(p[0] * p[0] + p[1] * p[1]));
         point.v = SurfaceFrames.turn(p[0], p[1]);
+        point.setNoAttributes();
     }
 
     @Override

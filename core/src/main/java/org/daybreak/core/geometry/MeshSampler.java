@@ -204,6 +204,7 @@ final class MeshSampler implements SurfaceSampler {
         }
         out.u = textureCoordinate(triangle, 0, b0, b1, b2);
         out.v = textureCoordinate(triangle, 1, b0, b1, b2);
+        setAttributes(triangle, b0, b1, b2, out);
         out.offset = offset;
         out.primitive = firstPrimitive + triangle;
         return twiceArea;
@@ -269,6 +270,25 @@ final class MeshSampler implements SurfaceSampler {
     @Override
     public double irradiance(double px, double py, double pz, double nx, double ny, double nz) {
         return triangles == null ? 0 : moments.irradiance(px, py, pz, nx, ny, nz);
+    }
+
+    private void setAttributes(int triangle, double b0, double b1, double b2, SurfacePoint out) {
+        out.setNoAttributes();
+        int[] indices = mesh.triangles();
+        int i0 = indices[3 * triangle];
+        int i1 = indices[3 * triangle + 1];
+        int i2 = indices[3 * triangle + 2];
+        float[] second = mesh.secondUvs();
+        if (second != null) {
+            out.u2 = b0 * second[2 * i0] + b1 * second[2 * i1] + b2 * second[2 * i2];
+            out.v2 = b0 * second[2 * i0 + 1] + b1 * second[2 * i1 + 1] + b2 * second[2 * i2 + 1];
+        }
+        float[] c = mesh.colors();
+        if (c != null) {
+            out.colorR = b0 * c[3 * i0] + b1 * c[3 * i1] + b2 * c[3 * i2];
+            out.colorG = b0 * c[3 * i0 + 1] + b1 * c[3 * i1 + 1] + b2 * c[3 * i2 + 1];
+            out.colorB = b0 * c[3 * i0 + 2] + b1 * c[3 * i1 + 2] + b2 * c[3 * i2 + 2];
+        }
     }
 
     private void setShadingNormal(

@@ -186,6 +186,7 @@ final class ParallelogramSampler implements SurfaceSampler {
         SurfaceFrames.set(out, normalX, normalY, normalZ);
         out.u = u;
         out.v = v;
+        out.setNoAttributes();
         out.offset = offset;
         out.primitive = 0;
     }

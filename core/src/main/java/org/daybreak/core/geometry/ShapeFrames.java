@@ -20,6 +20,16 @@ public final class ShapeFrames {
     }
 
     /**
+     * The map from the canonical cone x² + y² = (1 − t·z)², 0 ≤ z ≤ 1, t the {@linkplain Cone#taper taper}, to a cone. Its
+     * wider end is at z = 0. The direction φ = 0 is that of a cylinder with the same axis; if the cone widens, φ runs the
+     * other way around, as z runs the other way along.
+     */
+    public static Transform of(Cone cone) {
+        Transform cylinder = of(new Cylinder(cone.from(), cone.to(), Math.max(cone.fromRadius(), cone.toRadius())));
+        return cone.widens() ? cylinder.multiply(Transform.ofRows(1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 1)) : cylinder;
+    }
+
+    /**
      * The map from the canonical cylinder x² + y² = 1, 0 ≤ z ≤ 1 to a cylinder. The direction φ = 0 is the first tangent of
      * {@link Frame#set(double, double, double)} for the axis, as in Mitsuba.
      */

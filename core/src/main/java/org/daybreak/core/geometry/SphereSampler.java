@@ -141,6 +141,7 @@ final class SphereSampler implements SurfaceSampler {
         toWorld.applyInversePoint(point.x, point.y, point.z, p);
         point.u = SurfaceFrames.turn(p[0], p[1]);
         point.v = Math.atan2(Math.sqrt(p[0] * p[0] + p[1] * p[1]), p[2]) / Math.PI;
+        point.setNoAttributes();
     }
 
     @Override

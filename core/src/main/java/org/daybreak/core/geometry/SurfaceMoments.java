@@ -52,11 +52,6 @@ final class SurfaceMoments {
         double dy = cy - py;
         double dz = cz - pz;
         double squaredDistance = dx * dx + dy * dy + dz * dz;
-        double squaredRadius = radius * radius;
-        double receiver = Irradiance.receiver(dx, dy, dz, squaredDistance, squaredRadius, nx, ny, nz);
-        if (receiver == 0) {
-            return 0;
-        }
         double facing = 0;
         if (squaredDistance > 0) {
             double square = area
@@ -66,13 +61,31 @@ final class SurfaceMoments {
                             + 2 * (nxy * dx * dy + nxz * dx * dz + nyz * dy * dz));
             facing = 0.5 * (Math.sqrt(Math.max(0, square)) - vx * dx - vy * dy - vz * dz) / Math.sqrt(squaredDistance);
         }
+        return irradiance(px, py, pz, nx, ny, nz, facing);
+    }
+
+    /**
+     * Estimate of a surface that knows better what it turns to a point.
+     *
+     * @param facing area that the front turns to the direction from the centre to the point
+     */
+    double irradiance(double px, double py, double pz, double nx, double ny, double nz, double facing) {
+        double dx = cx - px;
+        double dy = cy - py;
+        double dz = cz - pz;
+        double squaredDistance = dx * dx + dy * dy + dz * dz;
+        double squaredRadius = radius * radius;
+        double receiver = Irradiance.receiver(dx, dy, dz, squaredDistance, squaredRadius, nx, ny, nz);
+        if (receiver == 0) {
+            return 0;
+        }
         // From nearby, parts are seen that turn away from the direction of the centre.
         double nearness = Math.min(1, radius / Math.sqrt(squaredDistance));
-        facing = Math.max(facing, (planar ? 1e-3 : 0.1) * nearness * area);
+        double seen = Math.max(facing, (planar ? 1e-3 : 0.1) * nearness * area);
         // Nothing fills more than the hemisphere, or the whole sphere of directions for the fluence.
         boolean fluence = nx == 0 && ny == 0 && nz == 0;
         double limit = fluence ? 4 * Math.PI : Math.PI;
-        return receiver * Math.min(limit, facing / squaredDistance);
+        return receiver * Math.min(limit, seen / squaredDistance);
     }
 
     /** Adds up patches. */

@@ -21,7 +21,11 @@ public final class SurfacePoint {
     public double gy;
     public double gz;
 
-    /** Shading frame: tangent {@code s}, bitangent {@code t}, shading normal {@code n_s}; right-handed, orthonormal. */
+    /**
+     * Shading frame: tangent {@code s}, bitangent {@code t}, shading normal {@code n_s}; right-handed, orthonormal. For
+     * materials that need tangents ({@code Bsdf.needsTangents}) s lies along the derivative of the position by u, made
+     * orthogonal to the shading normal; for others, and where there are no usable texture coordinates, it is arbitrary.
+     */
     public double sx;
 
     public double sy;
@@ -37,6 +41,27 @@ public final class SurfacePoint {
     public double u;
 
     public double v;
+
+    /**
+     * Derivatives of the position by the texture coordinates in the shading frame, in world units per unit of u or v:
+     * ∂p/∂u = {@code uLength}·s, ∂p/∂v = {@code vAlongS}·s + {@code vAlongT}·t, their parts along the shading normal left
+     * out. All zero where there are no usable texture coordinates; set only for materials that need tangents.
+     */
+    public double uLength;
+
+    public double vAlongS;
+    public double vAlongT;
+
+    /** Second texture coordinates; the first ones on meshes without. */
+    public double u2;
+
+    public double v2;
+
+    /** Colour of the vertices, interpolated, linear RGB; white on meshes without. */
+    public double colorR = 1;
+
+    public double colorG = 1;
+    public double colorB = 1;
 
     /**
      * How far along {@code ±n_g} a spawned ray must start so that it neither hits this surface again nor skips a
@@ -75,10 +100,65 @@ public final class SurfacePoint {
         nz = o.nz;
         u = o.u;
         v = o.v;
+        uLength = o.uLength;
+        vAlongS = o.vAlongS;
+        vAlongT = o.vAlongT;
+        u2 = o.u2;
+        v2 = o.v2;
+        colorR = o.colorR;
+        colorG = o.colorG;
+        colorB = o.colorB;
         offset = o.offset;
         shape = o.shape;
         primitive = o.primitive;
         instance = o.instance;
+    }
+
+    /** Sets what comes from optional vertex attributes to what it is without them: call it after u and v are set. */
+    public void setNoAttributes() {
+        u2 = u;
+        v2 = v;
+        colorR = 1;
+        colorG = 1;
+        colorB = 1;
+    }
+
+    /**
+     * Turns the shading frame about the shading normal so that s lies along ∂p/∂u, and sets the derivatives by u and v.
+     * Where the derivatives are not finite or have no area across the normal, the frame stays as it is and the derivatives
+     * become 0.
+     *
+     * @param ux ∂p/∂u in world space, x
+     * @param vx ∂p/∂v in world space, x
+     */
+    public void alignFrame(double ux, double uy, double uz, double vx, double vy, double vz) {
+        double along = ux * nx + uy * ny + uz * nz;
+        double px = ux - along * nx;
+        double py = uy - along * ny;
+        double pz = uz - along * nz;
+        double length = Math.sqrt(px * px + py * py + pz * pz);
+        double qx = px / length;
+        double qy = py / length;
+        double qz = pz / length;
+        double rx = ny * qz - nz * qy;
+        double ry = nz * qx - nx * qz;
+        double rz = nx * qy - ny * qx;
+        double across = vx * rx + vy * ry + vz * rz;
+        if (!(Math.abs(across) * length > 0) || !(Math.abs(across) * length < Double.POSITIVE_INFINITY)) {
+            uLength = 0;
+            vAlongS = 0;
+            vAlongT = 0;
+            return;
+        }
+        sx = qx;
+        sy = qy;
+        sz = qz;
+        tx = rx;
+        ty = ry;
+        tz = rz;
+        uLength = length;
+        vAlongS = vx * qx + vy * qy + vz * qz;
+        vAlongT = across;
     }
 
     /** First shading-frame component of a world-space direction: {@code d·s}. */

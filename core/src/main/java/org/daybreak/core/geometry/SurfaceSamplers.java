@@ -48,7 +48,11 @@ public final class SurfaceSamplers {
             return new MeshSampler(CubeMesh.MESH, toWorld, flipNormals, firstPrimitive, brightness);
         }
         if (shape instanceof Cylinder cylinder) {
-            return new CylinderSampler(toWorld.multiply(ShapeFrames.of(cylinder)), flipNormals);
+            return new CylinderSampler(toWorld.multiply(ShapeFrames.of(cylinder)), 0, false, flipNormals);
+        }
+        if (shape instanceof Cone cone) {
+            return new CylinderSampler(
+                    toWorld.multiply(ShapeFrames.of(cone)), cone.taper(), cone.widens(), flipNormals);
         }
         throw new AssertionError("no sampler for " + shape.getClass());
     }

@@ -3,7 +3,7 @@ package org.daybreak.core.geometry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An indexed triangle mesh. Positions, normals and texture coordinates are shared per vertex; a triangle's front is the side
+ * An indexed triangle mesh. Positions, normals, texture coordinates and colours are shared per vertex; a triangle's front is the side
  * from which its vertices run counter-clockwise. Immutable: the arrays are taken over, not copied, and must not be
  * changed afterwards.
  */
@@ -12,9 +12,11 @@ public final class TriangleMesh implements Shape {
     private final int[] triangles;
     private final float @Nullable [] normals;
     private final float @Nullable [] uvs;
+    private final float @Nullable [] secondUvs;
+    private final float @Nullable [] colors;
 
     /**
-     * Creates a mesh.
+     * Creates a mesh without second texture coordinates and colours.
      *
      * @param positions x, y, z per vertex; finite
      * @param triangles three vertex indices per triangle
@@ -23,6 +25,27 @@ public final class TriangleMesh implements Shape {
      * @throws IllegalArgumentException naming the first bad index or number
      */
     public TriangleMesh(float[] positions, int[] triangles, float @Nullable [] normals, float @Nullable [] uvs) {
+        this(positions, triangles, normals, uvs, null, null);
+    }
+
+    /**
+     * Creates a mesh.
+     *
+     * @param positions x, y, z per vertex; finite
+     * @param triangles three vertex indices per triangle
+     * @param normals x, y, z per vertex, need not be unit, or null for flat shading
+     * @param uvs u, v per vertex, or null
+     * @param secondUvs another u, v per vertex for textures that ask for the second set, or null
+     * @param colors linear red, green, blue per vertex in [0,1], or null for white
+     * @throws IllegalArgumentException naming the first bad index or number
+     */
+    public TriangleMesh(
+            float[] positions,
+            int[] triangles,
+            float @Nullable [] normals,
+            float @Nullable [] uvs,
+            float @Nullable [] secondUvs,
+            float @Nullable [] colors) {
         if (positions.length % 3 != 0 || triangles.length % 3 != 0) {
             throw new IllegalArgumentException("positions and triangles must come in threes but there are "
                     + positions.length + " and " + triangles.length);
@@ -30,12 +53,20 @@ public final class TriangleMesh implements Shape {
         int vertices = positions.length / 3;
         checkLength("normals", normals, 3L * vertices);
         checkLength("texture coordinates", uvs, 2L * vertices);
+        checkLength("second texture coordinates", secondUvs, 2L * vertices);
+        checkLength("colors", colors, 3L * vertices);
         checkFinite("position", positions, 3);
         if (normals != null) {
             checkFinite("normal", normals, 3);
         }
         if (uvs != null) {
             checkFinite("texture coordinate", uvs, 2);
+        }
+        if (secondUvs != null) {
+            checkFinite("second texture coordinate", secondUvs, 2);
+        }
+        if (colors != null) {
+            checkColors(colors);
         }
         for (int i = 0; i < triangles.length; i++) {
             if (triangles[i] < 0 || triangles[i] >= vertices) {
@@ -47,6 +78,19 @@ public final class TriangleMesh implements Shape {
         this.triangles = triangles;
         this.normals = normals;
         this.uvs = uvs;
+        this.secondUvs = secondUvs;
+        this.colors = colors;
+    }
+
+    /**
+     * This mesh with other optional attributes; everything else is shared.
+     *
+     * @param newSecondUvs as for the constructor
+     * @param newColors as for the constructor
+     * @throws IllegalArgumentException naming the first bad number
+     */
+    public TriangleMesh withAttributes(float @Nullable [] newSecondUvs, float @Nullable [] newColors) {
+        return new TriangleMesh(positions, triangles, normals, uvs, newSecondUvs, newColors);
     }
 
     /** Number of triangles. */
@@ -79,6 +123,16 @@ public final class TriangleMesh implements Shape {
         return uvs;
     }
 
+    /** The second texture coordinates or null; not a copy, do not change. */
+    public float @Nullable [] secondUvs() {
+        return secondUvs;
+    }
+
+    /** The vertex colours or null; not a copy, do not change. */
+    public float @Nullable [] colors() {
+        return colors;
+    }
+
     /**
      * A mesh whose triangles are wound so that their front is the side the vertex normals point to: the normals say which side
      * is out, whatever the winding. Returns this mesh if it is so already or has no normals.
@@ -98,7 +152,7 @@ public final class TriangleMesh implements Shape {
                 turned[i + 2] = triangles[i + 1];
             }
         }
-        return turned == null ? this : new TriangleMesh(positions, turned, n, uvs);
+        return turned == null ? this : new TriangleMesh(positions, turned, n, uvs, secondUvs, colors);
     }
 
     private boolean windsAgainst(float[] n, int a, int b, int c) {
@@ -129,6 +183,15 @@ public final class TriangleMesh implements Shape {
         for (int i = 0; i < values.length; i++) {
             if (!Float.isFinite(values[i])) {
                 throw new IllegalArgumentException(what + " of vertex " + i / stride + " is not finite");
+            }
+        }
+    }
+
+    private static void checkColors(float[] colors) {
+        for (int i = 0; i < colors.length; i++) {
+            if (!(colors[i] >= 0 && colors[i] <= 1)) {
+                throw new IllegalArgumentException(
+                        "color of vertex " + i / 3 + " must be from 0 to 1 but contains " + colors[i]);
             }
         }
     }

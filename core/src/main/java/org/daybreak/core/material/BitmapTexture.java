@@ -26,10 +26,15 @@ public final class BitmapTexture implements Texture {
         CLAMP
     }
 
+    /** Stands for the luminance where a channel is asked for. */
+    private static final int SCALAR = -1;
+
     private final TextureImage image;
     private final Filter filter;
-    private final Wrap wrap;
+    private final Wrap wrapU;
+    private final Wrap wrapV;
     private final double[] uvTransform;
+    private final boolean secondUvs;
     private final int width;
     private final int height;
     private final int channels;
@@ -39,16 +44,30 @@ public final class BitmapTexture implements Texture {
     private final double maximum;
 
     /**
-     * Creates a texture.
-     *
-     * @param uvTransform 2×3 affine matrix, row by row, applied to texture coordinates before the look-up:
-     *     u′ = m₀u + m₁v + m₂, v′ = m₃u + m₄v + m₅
-     * @throws IllegalArgumentException if the matrix has not 6 finite elements
+     * Creates a texture over the first texture coordinates:
+     * {@link #BitmapTexture(TextureImage, Filter, Wrap, Wrap, double[], boolean)}.
      */
     public BitmapTexture(TextureImage image, Filter filter, Wrap wrap, double[] uvTransform) {
+        this(image, filter, wrap, wrap, uvTransform, false);
+    }
+
+    /**
+     * Creates a texture.
+     *
+     * @param wrapU what lies to the left and right of the image
+     * @param wrapV what lies above and below it
+     * @param uvTransform 2×3 affine matrix, row by row, applied to texture coordinates before the look-up:
+     *     u′ = m₀u + m₁v + m₂, v′ = m₃u + m₄v + m₅
+     * @param secondUvs true to lay the image over the second texture coordinates
+     * @throws IllegalArgumentException if the matrix has not 6 finite elements
+     */
+    public BitmapTexture(
+            TextureImage image, Filter filter, Wrap wrapU, Wrap wrapV, double[] uvTransform, boolean secondUvs) {
+        this.secondUvs = secondUvs;
         this.image = image;
         this.filter = filter;
-        this.wrap = wrap;
+        this.wrapU = wrapU;
+        this.wrapV = wrapV;
         this.uvTransform = Checks.requireAffine(uvTransform);
         this.width = image.width();
         this.height = image.height();
@@ -74,10 +93,12 @@ public final class BitmapTexture implements Texture {
     @Override
     public void evaluate(SurfacePoint point, Spectrum out) {
         double[] m = uvTransform;
-        double x = coordinate(m[0] * point.u + m[1] * point.v + m[2], width);
-        double y = coordinate(m[3] * point.u + m[4] * point.v + m[5], height);
+        double u = secondUvs ? point.u2 : point.u;
+        double v = secondUvs ? point.v2 : point.v;
+        double x = coordinate(m[0] * u + m[1] * v + m[2], width, wrapU);
+        double y = coordinate(m[3] * u + m[4] * v + m[5], height, wrapV);
         if (filter == Filter.NEAREST) {
-            int index = wrapped(Math.floor(y), height) * width + wrapped(Math.floor(x), width);
+            int index = wrapped(Math.floor(y), height, wrapV) * width + wrapped(Math.floor(x), width, wrapU);
             if (channels == 1) {
                 out.set(image.value(index));
             } else {
@@ -89,10 +110,10 @@ public final class BitmapTexture implements Texture {
         double top = Math.floor(y - 0.5);
         double fx = x - 0.5 - left;
         double fy = y - 0.5 - top;
-        int x0 = wrapped(left, width);
-        int x1 = wrapped(left + 1, width);
-        int row0 = wrapped(top, height) * width;
-        int row1 = wrapped(top + 1, height) * width;
+        int x0 = wrapped(left, width, wrapU);
+        int x1 = wrapped(left + 1, width, wrapU);
+        int row0 = wrapped(top, height, wrapV) * width;
+        int row1 = wrapped(top + 1, height, wrapV) * width;
         int i00 = (row0 + x0) * channels;
         int i10 = (row0 + x1) * channels;
         int i01 = (row1 + x0) * channels;
@@ -110,22 +131,68 @@ public final class BitmapTexture implements Texture {
 
     @Override
     public double evaluateScalar(SurfacePoint point) {
+        return sample(point, SCALAR, false, 0, 0);
+    }
+
+    @Override
+    public double component(SurfacePoint point, int index) {
+        return sample(point, channels == 1 ? 0 : index, false, 0, 0);
+    }
+
+    @Override
+    public boolean differentiable() {
+        return true;
+    }
+
+    @Override
+    public double derivativeU(SurfacePoint point) {
+        return sample(point, SCALAR, true, uvTransform[0], uvTransform[3]);
+    }
+
+    @Override
+    public double derivativeV(SurfacePoint point) {
+        return sample(point, SCALAR, true, uvTransform[1], uvTransform[4]);
+    }
+
+    /**
+     * A channel or the scalar value at a point, or its derivative.
+     *
+     * @param channel a channel or {@link #SCALAR}
+     * @param derivative whether the derivative is asked for
+     * @param dx with {@code dy} the direction in the image's own unit square to take the derivative along
+     */
+    private double sample(SurfacePoint point, int channel, boolean derivative, double dx, double dy) {
         double[] m = uvTransform;
-        double x = coordinate(m[0] * point.u + m[1] * point.v + m[2], width);
-        double y = coordinate(m[3] * point.u + m[4] * point.v + m[5], height);
+        double pu = secondUvs ? point.u2 : point.u;
+        double pv = secondUvs ? point.v2 : point.v;
+        double u = m[0] * pu + m[1] * pv + m[2];
+        double v = m[3] * pu + m[4] * pv + m[5];
+        double x = coordinate(u, width, wrapU);
+        double y = coordinate(v, height, wrapV);
         if (filter == Filter.NEAREST) {
-            return scalar(wrapped(Math.floor(y), height) * width + wrapped(Math.floor(x), width));
+            return derivative
+                    ? 0
+                    : value(
+                            wrapped(Math.floor(y), height, wrapV) * width + wrapped(Math.floor(x), width, wrapU),
+                            channel);
         }
         double left = Math.floor(x - 0.5);
         double top = Math.floor(y - 0.5);
         double fx = x - 0.5 - left;
         double fy = y - 0.5 - top;
-        int x0 = wrapped(left, width);
-        int x1 = wrapped(left + 1, width);
-        int row0 = wrapped(top, height) * width;
-        int row1 = wrapped(top + 1, height) * width;
-        return (1 - fy) * ((1 - fx) * scalar(row0 + x0) + fx * scalar(row0 + x1))
-                + fy * ((1 - fx) * scalar(row1 + x0) + fx * scalar(row1 + x1));
+        int x0 = wrapped(left, width, wrapU);
+        int x1 = wrapped(left + 1, width, wrapU);
+        int row0 = wrapped(top, height, wrapV) * width;
+        int row1 = wrapped(top + 1, height, wrapV) * width;
+        double v00 = value(row0 + x0, channel);
+        double v10 = value(row0 + x1, channel);
+        double v01 = value(row1 + x0, channel);
+        double v11 = value(row1 + x1, channel);
+        if (derivative) {
+            return dx * width * ((1 - fy) * (v10 - v00) + fy * (v11 - v01))
+                    + dy * height * ((1 - fx) * (v01 - v00) + fx * (v11 - v10));
+        }
+        return (1 - fy) * ((1 - fx) * v00 + fx * v10) + fy * ((1 - fx) * v01 + fx * v11);
     }
 
     @Override
@@ -151,14 +218,14 @@ public final class BitmapTexture implements Texture {
                 + fy * ((1 - fx) * image.value(i01) + fx * image.value(i11));
     }
 
-    private double scalar(int pixel) {
-        return channels == 1
-                ? image.value(pixel)
+    private double value(int pixel, int channel) {
+        return channel != SCALAR || channels == 1
+                ? image.value(channels * pixel + Math.max(0, channel))
                 : Spectrum.luminance(image.value(3 * pixel), image.value(3 * pixel + 1), image.value(3 * pixel + 2));
     }
 
     /** Position in pixels, brought to within one pixel of the first period so that no precision is lost later. */
-    private double coordinate(double u, int size) {
+    private static double coordinate(double u, int size, Wrap wrap) {
         if (!Double.isFinite(u)) {
             return 0;
         }
@@ -170,7 +237,7 @@ public final class BitmapTexture implements Texture {
     }
 
     /** Column or row of the image for one within a pixel of the first period. */
-    private int wrapped(double cell, int size) {
+    private static int wrapped(double cell, int size, Wrap wrap) {
         int i = (int) cell;
         return switch (wrap) {
             case REPEAT -> i < 0 ? i + size : (i >= size ? i - size : i);

@@ -106,6 +106,15 @@ public interface Bsdf {
     }
 
     /**
+     * True if the material tells directions around the normal apart, so that the shading frame must lie along the texture
+     * coordinates ({@link SurfacePoint#sx}) and the derivatives {@link SurfacePoint#uLength} and following must be there.
+     * Otherwise they are arbitrary.
+     */
+    default boolean needsTangents() {
+        return false;
+    }
+
+    /**
      * True if {@link #sample} reads its number {@code w}. Callers may save themselves a random number otherwise.
      */
     default boolean choosesLobe() {

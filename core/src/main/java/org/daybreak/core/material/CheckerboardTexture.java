@@ -37,6 +37,26 @@ public final class CheckerboardTexture implements Texture {
     }
 
     @Override
+    public double component(SurfacePoint point, int index) {
+        return (isFirst(point) ? color0 : color1).component(point, index);
+    }
+
+    @Override
+    public boolean differentiable() {
+        return color0.differentiable() && color1.differentiable();
+    }
+
+    @Override
+    public double derivativeU(SurfacePoint point) {
+        return (isFirst(point) ? color0 : color1).derivativeU(point);
+    }
+
+    @Override
+    public double derivativeV(SurfacePoint point) {
+        return (isFirst(point) ? color0 : color1).derivativeV(point);
+    }
+
+    @Override
     public void mean(Spectrum out) {
         Spectrum other = new Spectrum();
         color1.mean(other);

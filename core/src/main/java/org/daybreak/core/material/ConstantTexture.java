@@ -36,6 +36,16 @@ public final class ConstantTexture implements Texture {
     }
 
     @Override
+    public double component(SurfacePoint point, int index) {
+        return index == 0 ? r : index == 1 ? g : b;
+    }
+
+    @Override
+    public boolean differentiable() {
+        return true;
+    }
+
+    @Override
     public void mean(Spectrum out) {
         out.set(r, g, b);
     }

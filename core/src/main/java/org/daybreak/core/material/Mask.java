@@ -29,6 +29,11 @@ public final class Mask implements Bsdf {
     }
 
     @Override
+    public boolean needsTangents() {
+        return nested.needsTangents();
+    }
+
+    @Override
     public boolean connectable() {
         return nested.connectable();
     }

@@ -1,12 +1,13 @@
 package org.daybreak.core.material;
 
 /**
- * Isotropic microfacet distributions after Walter et al. 2007 (“Microfacet Models for Refraction through Rough
+ * Microfacet distributions after Walter et al. 2007 (“Microfacet Models for Refraction through Rough
  * Surfaces”): density of facet normals D, Smith's masking G₁, and sampling of visible normals.
  *
  * <p>Directions are in the local frame, z along the macroscopic normal, and lie in its upper hemisphere; the caller
  * tests sides. Masking and shadowing are taken as independent, G = G₁(wo)·G₁(wi) (the separable form; Mitsuba uses it
- * too, so that reference images agree). G₁ is the exact Smith integral for both distributions, not the rational fit of
+ * too, so that reference images agree). Anisotropic surfaces are isotropic ones stretched by α_u along x and α_v along y of
+ * the local frame (Heitz 2014, “Understanding the Masking-Shadowing Function”, §5.3). G₁ is the exact Smith integral for both distributions, not the rational fit of
  * Walter for Beckmann: only so do the visible normals integrate to 1.
  */
 public final class Microfacet {
@@ -72,6 +73,34 @@ public final class Microfacet {
     }
 
     /**
+     * Density D of facet normals of an anisotropic surface: {@link #distribution(Kind, double, double, double, double)}.
+     *
+     * @param alphaU roughness along x
+     * @param alphaV roughness along y
+     */
+    public static double distribution(Kind kind, double alphaU, double alphaV, double x, double y, double z) {
+        if (alphaU == alphaV) {
+            return distribution(kind, alphaU, x, y, z);
+        }
+        double product = alphaU * alphaV;
+        double vertical = z * z;
+        if (!(vertical * product > Double.MIN_NORMAL)) {
+            return 0;
+        }
+        double squaredLength = x * x + y * y + vertical;
+        double u = x / alphaU;
+        double v = y / alphaV;
+        double stretched = u * u + v * v;
+        if (kind == Kind.GGX) {
+            double ratio = squaredLength / (stretched + vertical);
+            return ratio * ratio / (Math.PI * product);
+        }
+        double secSquared = squaredLength / vertical;
+        double gaussian = Math.exp(-stretched / vertical);
+        return gaussian == 0 ? 0 : gaussian * secSquared * secSquared / (Math.PI * product);
+    }
+
+    /**
      * Smith's masking function over the cosine, G₁(v)/cos θ: finite also at grazing angles. G₁ itself is this times the
      * cosine, in [0,1].
      *
@@ -79,26 +108,70 @@ public final class Microfacet {
      */
     public static double maskingOverCosine(Kind kind, double alpha, double cosine) {
         double sinSquared = Math.max(0, (1 - cosine) * (1 + cosine));
+        return maskingForSpread(kind, cosine, alpha * alpha * sinSquared);
+    }
+
+    /**
+     * Smith's masking function over the cosine of an anisotropic surface.
+     *
+     * @param alphaU roughness along x
+     * @param alphaV roughness along y
+     * @param x first component of the unit direction
+     * @param y second component
+     * @param cosine third component, in [0,1]
+     */
+    public static double maskingOverCosine(Kind kind, double alphaU, double alphaV, double x, double y, double cosine) {
+        if (alphaU == alphaV) {
+            return maskingOverCosine(kind, alphaU, cosine);
+        }
+        double u = alphaU * x;
+        double v = alphaV * y;
+        return maskingForSpread(kind, cosine, u * u + v * v);
+    }
+
+    /**
+     * Smith's masking function over the cosine.
+     *
+     * @param squaredSpread (α sin θ)², α the roughness in the plane of the direction
+     */
+    private static double maskingForSpread(Kind kind, double cosine, double squaredSpread) {
         if (kind == Kind.GGX) {
-            return 2 / (cosine + Math.sqrt(cosine * cosine + alpha * alpha * sinSquared));
+            return 2 / (cosine + Math.sqrt(cosine * cosine + squaredSpread));
         }
         // 1/G₁ = (1 + erf a + exp(−a²)/(a√π)) / 2 with a = cos θ/(α sin θ).
-        double alphaSin = alpha * Math.sqrt(sinSquared);
+        double alphaSin = Math.sqrt(squaredSpread);
         double a = cosine / alphaSin;
         double gaussian = Math.exp(-a * a);
         return 2 / (cosine * (2 - ErrorFunction.complement(a, gaussian)) + alphaSin * gaussian / SQRT_PI);
     }
 
     /**
-     * Density per solid angle of a direction that {@link #sampleReflection} draws, D·G₁(wo)/(4 cos θ_o) at the half vector;
+     * Density per solid angle of a direction that {@link #sampleReflection(Kind, double, double, double,
+     * double, double, double, BsdfSample)} draws, D·G₁(wo)/(4 cos θ_o) at the half vector;
      * zero unless both directions are above the surface.
      */
     public static double reflectionDensity(
             Kind kind, double alpha, double woX, double woY, double woZ, double wiX, double wiY, double wiZ) {
+        return reflectionDensity(kind, alpha, alpha, woX, woY, woZ, wiX, wiY, wiZ);
+    }
+
+    /** Density of {@link #sampleReflection(Kind, double, double, double, double, double, double, double, BsdfSample)}. */
+    public static double reflectionDensity(
+            Kind kind,
+            double alphaU,
+            double alphaV,
+            double woX,
+            double woY,
+            double woZ,
+            double wiX,
+            double wiY,
+            double wiZ) {
         if (woZ <= 0 || wiZ <= 0) {
             return 0;
         }
-        return 0.25 * distribution(kind, alpha, woX + wiX, woY + wiY, woZ + wiZ) * maskingOverCosine(kind, alpha, woZ);
+        return 0.25
+                * distribution(kind, alphaU, alphaV, woX + wiX, woY + wiY, woZ + wiZ)
+                * maskingOverCosine(kind, alphaU, alphaV, woX, woY, woZ);
     }
 
     /** Cosine of the angle between either direction and the half vector, where Fresnel's reflectance is taken. */
@@ -118,10 +191,24 @@ public final class Microfacet {
      */
     public static boolean sampleReflection(
             Kind kind, double alpha, double woX, double woY, double woZ, double u, double v, BsdfSample out) {
+        return sampleReflection(kind, alpha, alpha, woX, woY, woZ, u, v, out);
+    }
+
+    /** Samples a direction by reflection off a visible normal of an anisotropic surface. */
+    public static boolean sampleReflection(
+            Kind kind,
+            double alphaU,
+            double alphaV,
+            double woX,
+            double woY,
+            double woZ,
+            double u,
+            double v,
+            BsdfSample out) {
         if (woZ <= 0) {
             return false;
         }
-        sampleVisibleNormal(kind, alpha, woX, woY, woZ, u, v, out);
+        sampleVisibleNormal(kind, alphaU, alphaV, woX, woY, woZ, u, v, out);
         double twice = 2 * (woX * out.wiX + woY * out.wiY + woZ * out.wiZ);
         out.wiX = twice * out.wiX - woX;
         out.wiY = twice * out.wiY - woY;
@@ -138,17 +225,31 @@ public final class Microfacet {
      */
     public static void sampleVisibleNormal(
             Kind kind, double alpha, double woX, double woY, double woZ, double u, double v, BsdfSample out) {
+        sampleVisibleNormal(kind, alpha, alpha, woX, woY, woZ, u, v, out);
+    }
+
+    /** Samples a normal from the density of those visible on an anisotropic surface. */
+    public static void sampleVisibleNormal(
+            Kind kind,
+            double alphaU,
+            double alphaV,
+            double woX,
+            double woY,
+            double woZ,
+            double u,
+            double v,
+            BsdfSample out) {
         // Stretching the surface by 1/α makes the roughness 1.
-        double x = alpha * woX;
-        double y = alpha * woY;
+        double x = alphaU * woX;
+        double y = alphaV * woY;
         double length = Math.sqrt(x * x + y * y + woZ * woZ);
         x /= length;
         y /= length;
         double z = woZ / length;
         if (kind == Kind.GGX) {
-            sampleSphericalCap(alpha, x, y, z, u, v, out);
+            sampleSphericalCap(alphaU, alphaV, x, y, z, u, v, out);
         } else {
-            sampleGaussianSlopes(alpha, x, y, z, u, v, out);
+            sampleGaussianSlopes(alphaU, alphaV, x, y, z, u, v, out);
         }
     }
 
@@ -157,13 +258,13 @@ public final class Microfacet {
      * (Dupuy and Benyoub 2023, “Sampling Visible GGX Normals with Spherical Caps”).
      */
     private static void sampleSphericalCap(
-            double alpha, double x, double y, double z, double u, double v, BsdfSample out) {
+            double alphaU, double alphaV, double x, double y, double z, double u, double v, BsdfSample out) {
         double phi = 2 * Math.PI * u;
         // The half vector's z is positive for v < 1, and not formed as a difference, to keep it so.
         double halfZ = (1 - v) * (1 + z);
         double capZ = halfZ - z;
         double sin = Math.sqrt(Math.max(0, (1 - capZ) * (1 + capZ)));
-        setNormal(alpha * (sin * Math.cos(phi) + x), alpha * (sin * Math.sin(phi) + y), halfZ, out);
+        setNormal(alphaU * (sin * Math.cos(phi) + x), alphaV * (sin * Math.sin(phi) + y), halfZ, out);
     }
 
     /**
@@ -172,7 +273,7 @@ public final class Microfacet {
      * the Distribution of Visible Normals”).
      */
     private static void sampleGaussianSlopes(
-            double alpha, double x, double y, double z, double u, double v, BsdfSample out) {
+            double alphaU, double alphaV, double x, double y, double z, double u, double v, BsdfSample out) {
         double sin = Math.sqrt(x * x + y * y);
         double along = visibleSlope(z, sin, u);
         double across = visibleSlope(1, 0, v);
@@ -180,7 +281,7 @@ public final class Microfacet {
         double sinPhi = sin > 0 ? y / sin : 0;
         double slopeX = cosPhi * along - sinPhi * across;
         double slopeY = sinPhi * along + cosPhi * across;
-        setNormal(-alpha * slopeX, -alpha * slopeY, 1, out);
+        setNormal(-alphaU * slopeX, -alphaV * slopeY, 1, out);
     }
 
     /**

@@ -55,6 +55,12 @@ final class Reflectance {
         }
     }
 
+    /** Luminance at a point, positive unless the value is black. */
+    double luminance(SurfacePoint point) {
+        Texture texture = varying;
+        return texture == null ? Spectrum.luminance(r, g, b) : texture.evaluateScalar(point);
+    }
+
     /** True unless the texture is constant. */
     boolean varies() {
         return varying != null;

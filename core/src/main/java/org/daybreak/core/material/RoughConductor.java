@@ -9,7 +9,7 @@ import org.daybreak.core.geometry.SurfacePoint;
  */
 public final class RoughConductor implements Bsdf {
     private final Microfacet.Kind kind;
-    private final double alpha;
+    private final Roughness roughness;
     private final ConductorFresnel fresnel;
     private final Reflectance specularReflectance;
 
@@ -17,21 +17,32 @@ public final class RoughConductor implements Bsdf {
      * Creates a rough metal.
      *
      * @param kind distribution of facets
-     * @param alpha roughness
      * @param eta real part of the refractive index, relative to vacuum
      * @param k imaginary part (absorption)
      * @param specularReflectance factor on the lobe, in [0,1]; 1 is physical
-     * @throws IllegalArgumentException if the roughness is outside [{@link Microfacet#MIN_ALPHA}, {@link
-     *     Microfacet#MAX_ALPHA}], a part of the index is negative, not finite, or both are zero, or the reflectance
+     * @throws IllegalArgumentException if a part of the index is negative, not finite, or both are zero, or the reflectance
      *     exceeds 1
      */
-    public RoughConductor(Microfacet.Kind kind, double alpha, Spectrum eta, Spectrum k, Texture specularReflectance) {
-        this(kind, alpha, new ConductorFresnel(eta, k), specularReflectance);
+    public RoughConductor(
+            Microfacet.Kind kind, Roughness roughness, Spectrum eta, Spectrum k, Texture specularReflectance) {
+        this(kind, roughness, new ConductorFresnel(eta, k), specularReflectance);
     }
 
-    private RoughConductor(Microfacet.Kind kind, double alpha, ConductorFresnel fresnel, Texture specularReflectance) {
+    /**
+     * Creates an isotropic rough metal.
+     *
+     * @param alpha roughness
+     * @throws IllegalArgumentException as {@link #RoughConductor(Microfacet.Kind, Roughness, Spectrum, Spectrum, Texture)},
+     *     or if the roughness is outside [{@link Microfacet#MIN_ALPHA}, {@link Microfacet#MAX_ALPHA}]
+     */
+    public RoughConductor(Microfacet.Kind kind, double alpha, Spectrum eta, Spectrum k, Texture specularReflectance) {
+        this(kind, Roughness.of(alpha), eta, k, specularReflectance);
+    }
+
+    private RoughConductor(
+            Microfacet.Kind kind, Roughness roughness, ConductorFresnel fresnel, Texture specularReflectance) {
         this.kind = kind;
-        this.alpha = Microfacet.requireAlpha(alpha);
+        this.roughness = roughness;
         this.fresnel = fresnel;
         this.specularReflectance = new Reflectance("specular reflectance", specularReflectance);
     }
@@ -40,15 +51,25 @@ public final class RoughConductor implements Bsdf {
      * Creates a rough mirror: every facet reflects the same at every angle.
      *
      * @param specularReflectance reflectance of a facet, in [0,1]
-     * @throws IllegalArgumentException as the constructor
+     * @throws IllegalArgumentException if the reflectance exceeds 1
      */
+    public static RoughConductor mirror(Microfacet.Kind kind, Roughness roughness, Texture specularReflectance) {
+        return new RoughConductor(kind, roughness, new ConductorFresnel(null, null), specularReflectance);
+    }
+
+    /** Creates an isotropic rough mirror: {@link #mirror(Microfacet.Kind, Roughness, Texture)}. */
     public static RoughConductor mirror(Microfacet.Kind kind, double alpha, Texture specularReflectance) {
-        return new RoughConductor(kind, alpha, new ConductorFresnel(null, null), specularReflectance);
+        return mirror(kind, Roughness.of(alpha), specularReflectance);
     }
 
     @Override
     public boolean textured() {
-        return specularReflectance.varies();
+        return specularReflectance.varies() || roughness.varies();
+    }
+
+    @Override
+    public boolean needsTangents() {
+        return roughness.anisotropic();
     }
 
     @Override
@@ -72,12 +93,14 @@ public final class RoughConductor implements Bsdf {
             double wiZ,
             TransportMode mode,
             Spectrum value) {
-        double density = density(point, woX, woY, woZ, wiX, wiY, wiZ, mode);
+        double alphaU = roughness.alongU(point);
+        double alphaV = roughness.alongV(point, alphaU);
+        double density = Microfacet.reflectionDensity(kind, alphaU, alphaV, woX, woY, woZ, wiX, wiY, wiZ);
         if (density == 0) {
             value.setZero();
             return 0;
         }
-        double maskingIn = Microfacet.maskingOverCosine(kind, alpha, wiZ) * wiZ;
+        double maskingIn = Microfacet.maskingOverCosine(kind, alphaU, alphaV, wiX, wiY, wiZ) * wiZ;
         specularReflectance.evaluateScaled(point, density * maskingIn, value);
         fresnel.multiply(Microfacet.halfAngleCosine(woX, woY, woZ, wiX, wiY, wiZ), value);
         return density;
@@ -93,7 +116,9 @@ public final class RoughConductor implements Bsdf {
             double wiY,
             double wiZ,
             TransportMode mode) {
-        return Microfacet.reflectionDensity(kind, alpha, woX, woY, woZ, wiX, wiY, wiZ);
+        double alphaU = roughness.alongU(point);
+        double alphaV = roughness.alongV(point, alphaU);
+        return Microfacet.reflectionDensity(kind, alphaU, alphaV, woX, woY, woZ, wiX, wiY, wiZ);
     }
 
     @Override
@@ -107,15 +132,17 @@ public final class RoughConductor implements Bsdf {
             double w,
             TransportMode mode,
             BsdfSample out) {
-        if (!Microfacet.sampleReflection(kind, alpha, woX, woY, woZ, u, v, out)) {
+        double alphaU = roughness.alongU(point);
+        double alphaV = roughness.alongV(point, alphaU);
+        if (!Microfacet.sampleReflection(kind, alphaU, alphaV, woX, woY, woZ, u, v, out)) {
             return false;
         }
-        double density = Microfacet.reflectionDensity(kind, alpha, woX, woY, woZ, out.wiX, out.wiY, out.wiZ);
+        double density = Microfacet.reflectionDensity(kind, alphaU, alphaV, woX, woY, woZ, out.wiX, out.wiY, out.wiZ);
         if (density == 0) {
             return false;
         }
         out.setContinuous(density);
-        double maskingIn = Microfacet.maskingOverCosine(kind, alpha, out.wiZ) * out.wiZ;
+        double maskingIn = Microfacet.maskingOverCosine(kind, alphaU, alphaV, out.wiX, out.wiY, out.wiZ) * out.wiZ;
         specularReflectance.evaluateScaled(point, maskingIn, out.weight);
         fresnel.multiply(Microfacet.halfAngleCosine(woX, woY, woZ, out.wiX, out.wiY, out.wiZ), out.weight);
         return true;

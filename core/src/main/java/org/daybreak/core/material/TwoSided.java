@@ -42,6 +42,11 @@ public final class TwoSided implements Bsdf {
     }
 
     @Override
+    public boolean needsTangents() {
+        return front.needsTangents() || back.needsTangents();
+    }
+
+    @Override
     public boolean connectable() {
         return front.connectable() || back.connectable();
     }

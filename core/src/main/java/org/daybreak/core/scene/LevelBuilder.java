@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.daybreak.core.accel.Quadric;
+import org.daybreak.core.geometry.Cone;
 import org.daybreak.core.geometry.Cube;
 import org.daybreak.core.geometry.CubeMesh;
 import org.daybreak.core.geometry.Cylinder;
@@ -27,11 +28,14 @@ final class LevelBuilder {
     private int[] triangles = {};
     private float @Nullable [] normals;
     private float @Nullable [] uvs;
+    private float @Nullable [] secondUvs;
+    private float @Nullable [] colors;
     private int vertexCount;
     private int cornerCount;
 
     private final List<Integer> triangleShapes = new ArrayList<>();
     private final List<Integer> triangleStarts = new ArrayList<>();
+    private final List<Boolean> triangleTangents = new ArrayList<>();
     private final List<Quadric> quadrics = new ArrayList<>();
     private final List<LevelGeometry.QuadricShape> quadricShapes = new ArrayList<>();
 
@@ -39,22 +43,27 @@ final class LevelBuilder {
      * Adds a shape.
      *
      * @param index the shape's number in the scene
-     * @param textured whether anything on it depends on texture coordinates
+     * @param needs what its points must offer
      * @throws IllegalArgumentException if the level would have more than 2³¹ coordinates or corners
      */
-    void add(int index, Shape shape, Transform toLevel, boolean flipNormals, boolean textured) {
+    void add(int index, Shape shape, Transform toLevel, boolean flipNormals, ShadingNeeds needs) {
         if (shape instanceof TriangleMesh mesh) {
-            addMesh(index, mesh, toLevel, flipNormals);
+            addMesh(index, mesh, toLevel, flipNormals, needs);
         } else if (shape instanceof Rectangle) {
-            addMesh(index, RECTANGLE, toLevel, flipNormals);
+            addMesh(index, RECTANGLE, toLevel, flipNormals, needs);
         } else if (shape instanceof Cube) {
-            addMesh(index, CubeMesh.MESH, toLevel, flipNormals);
+            addMesh(index, CubeMesh.MESH, toLevel, flipNormals, needs);
         } else if (shape instanceof Sphere sphere) {
-            addQuadric(index, Quadric.Kind.SPHERE, toLevel.multiply(ShapeFrames.of(sphere)), flipNormals, textured);
+            addQuadric(index, Quadric.Kind.SPHERE, toLevel.multiply(ShapeFrames.of(sphere)), flipNormals, needs);
         } else if (shape instanceof Disk) {
-            addQuadric(index, Quadric.Kind.DISK, toLevel, flipNormals, textured);
+            addQuadric(index, Quadric.Kind.DISK, toLevel, flipNormals, needs);
+        } else if (shape instanceof Cone cone) {
+            Transform map = toLevel.multiply(ShapeFrames.of(cone));
+            quadrics.add(new Quadric(
+                    Quadric.Kind.CONE, cone.taper(), map.rows(), map.inverse().rows()));
+            quadricShapes.add(new LevelGeometry.QuadricShape(index, flipNormals, needs, cone.widens()));
         } else if (shape instanceof Cylinder cylinder) {
-            addQuadric(index, Quadric.Kind.CYLINDER, toLevel.multiply(ShapeFrames.of(cylinder)), flipNormals, textured);
+            addQuadric(index, Quadric.Kind.CYLINDER, toLevel.multiply(ShapeFrames.of(cylinder)), flipNormals, needs);
         }
     }
 
@@ -69,18 +78,39 @@ final class LevelBuilder {
                 Arrays.copyOf(triangles, cornerCount),
                 normals == null ? null : Arrays.copyOf(normals, 3 * vertexCount),
                 uvs == null ? null : Arrays.copyOf(uvs, 2 * vertexCount),
+                attributes(),
                 triangleStarts.stream().mapToInt(Integer::intValue).toArray(),
                 triangleShapes.stream().mapToInt(Integer::intValue).toArray(),
+                tangents(),
                 quadrics.toArray(new Quadric[0]),
                 quadricShapes.toArray(new LevelGeometry.QuadricShape[0]));
     }
 
-    private void addQuadric(int index, Quadric.Kind kind, Transform toLevel, boolean flipNormals, boolean textured) {
-        quadrics.add(new Quadric(kind, toLevel.rows(), toLevel.inverse().rows()));
-        quadricShapes.add(new LevelGeometry.QuadricShape(index, flipNormals, textured));
+    private @Nullable VertexAttributes attributes() {
+        return secondUvs == null && colors == null
+                ? null
+                : new VertexAttributes(
+                        secondUvs == null ? null : Arrays.copyOf(secondUvs, 2 * vertexCount),
+                        colors == null ? null : Arrays.copyOf(colors, 3 * vertexCount));
     }
 
-    private void addMesh(int index, TriangleMesh mesh, Transform toLevel, boolean flipNormals) {
+    private boolean @Nullable [] tangents() {
+        if (!triangleTangents.contains(true)) {
+            return null;
+        }
+        boolean[] needed = new boolean[triangleTangents.size()];
+        for (int i = 0; i < needed.length; i++) {
+            needed[i] = triangleTangents.get(i);
+        }
+        return needed;
+    }
+
+    private void addQuadric(int index, Quadric.Kind kind, Transform toLevel, boolean flipNormals, ShadingNeeds needs) {
+        quadrics.add(new Quadric(kind, toLevel.rows(), toLevel.inverse().rows()));
+        quadricShapes.add(new LevelGeometry.QuadricShape(index, flipNormals, needs, false));
+    }
+
+    private void addMesh(int index, TriangleMesh mesh, Transform toLevel, boolean flipNormals, ShadingNeeds needs) {
         int firstVertex = vertexCount;
         grow(mesh);
         double[] p = new double[3];
@@ -103,7 +133,9 @@ final class LevelBuilder {
             }
             System.arraycopy(meshUvs, 0, uvs, 2 * firstVertex, meshUvs.length);
         }
+        addAttributes(mesh, firstVertex);
         triangleStarts.add(cornerCount / 3);
+        triangleTangents.add(needs.tangents());
         triangleShapes.add(index);
         boolean swap = toLevel.isMirroring() != flipNormals;
         int[] corners = mesh.triangles();
@@ -114,6 +146,32 @@ final class LevelBuilder {
         }
         vertexCount += mesh.vertexCount();
         cornerCount += corners.length;
+    }
+
+    /** Meshes without second coordinates have the first ones there, meshes without colours are white. */
+    private void addAttributes(TriangleMesh mesh, int firstVertex) {
+        float[] meshSecond = mesh.secondUvs() != null ? mesh.secondUvs() : mesh.uvs();
+        if (secondUvs == null && mesh.secondUvs() != null) {
+            secondUvs = new float[positions.length / 3 * 2];
+            if (uvs != null) {
+                System.arraycopy(uvs, 0, secondUvs, 0, 2 * firstVertex);
+            }
+        }
+        if (secondUvs != null && meshSecond != null) {
+            System.arraycopy(meshSecond, 0, secondUvs, 2 * firstVertex, meshSecond.length);
+        }
+        float[] meshColors = mesh.colors();
+        if (colors == null && meshColors != null) {
+            colors = new float[positions.length];
+            Arrays.fill(colors, 0, 3 * firstVertex, 1);
+        }
+        if (colors != null) {
+            if (meshColors != null) {
+                System.arraycopy(meshColors, 0, colors, 3 * firstVertex, meshColors.length);
+            } else {
+                Arrays.fill(colors, 3 * firstVertex, 3 * (firstVertex + mesh.vertexCount()), 1);
+            }
+        }
     }
 
     private void copyNormals(float[] meshNormals, Transform toLevel, boolean flipNormals, int firstVertex) {
@@ -147,6 +205,12 @@ final class LevelBuilder {
             }
             if (uvs != null) {
                 uvs = Arrays.copyOf(uvs, 2 * capacity);
+            }
+            if (secondUvs != null) {
+                secondUvs = Arrays.copyOf(secondUvs, 2 * capacity);
+            }
+            if (colors != null) {
+                colors = Arrays.copyOf(colors, 3 * capacity);
             }
         }
         if (corners > triangles.length) {

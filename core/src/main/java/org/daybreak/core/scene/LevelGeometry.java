@@ -18,8 +18,10 @@ final class LevelGeometry {
     private final int[] triangles;
     private final float @Nullable [] normals;
     private final float @Nullable [] uvs;
+    private final @Nullable VertexAttributes attributes;
     private final int[] firstTriangle;
     private final int[] shapeOfRun;
+    private final boolean @Nullable [] tangentsOfRun;
     private final Quadric[] quadrics;
     private final QuadricShape[] quadricShapes;
 
@@ -28,33 +30,40 @@ final class LevelGeometry {
      *
      * @param shape the shape's number in the scene
      * @param flipped true if its front is the inside
-     * @param textured true if something on it depends on texture coordinates, which cost arc functions
+     * @param needs what its points must offer
+     * @param reversed true if texture coordinates run against the canonical cone's
      */
-    record QuadricShape(int shape, boolean flipped, boolean textured) {}
+    record QuadricShape(int shape, boolean flipped, ShadingNeeds needs, boolean reversed) {}
 
     /**
      * Takes over all arrays.
      *
      * @param normals unit vertex normals or zero vectors where a mesh has none; null if no mesh has any
      * @param uvs texture coordinates; null if no mesh has any
+     * @param attributes what few scenes have; null if no mesh has any
      * @param firstTriangle first triangle of each mesh, ascending
      * @param shapeOfRun shape of each mesh
+     * @param tangentsOfRun whether each mesh needs frames along its texture coordinates; null if none does
      */
     LevelGeometry(
             float[] positions,
             int[] triangles,
             float @Nullable [] normals,
             float @Nullable [] uvs,
+            @Nullable VertexAttributes attributes,
             int[] firstTriangle,
             int[] shapeOfRun,
+            boolean @Nullable [] tangentsOfRun,
             Quadric[] quadrics,
             QuadricShape[] quadricShapes) {
         this.positions = positions;
         this.triangles = triangles;
         this.normals = normals;
         this.uvs = uvs;
+        this.attributes = attributes;
         this.firstTriangle = firstTriangle;
         this.shapeOfRun = shapeOfRun;
+        this.tangentsOfRun = tangentsOfRun;
         this.quadrics = quadrics;
         this.quadricShapes = quadricShapes;
     }
@@ -86,12 +95,13 @@ final class LevelGeometry {
         if (primitive < triangleCount) {
             completeTriangle(refined, primitive, instance, hit);
         } else {
-            completeQuadric(refined, primitive - triangleCount, hit);
+            completeQuadric(refined, primitive - triangleCount, instance, hit);
         }
     }
 
     private void completeTriangle(HitRefinement refined, int triangle, @Nullable Instance instance, SurfacePoint hit) {
-        hit.shape = shapeOfRun[runOf(triangle)];
+        int run = runOf(triangle);
+        hit.shape = shapeOfRun[run];
         int a = triangles[3 * triangle];
         int b = triangles[3 * triangle + 1];
         int c = triangles[3 * triangle + 2];
@@ -106,6 +116,24 @@ final class LevelGeometry {
             hit.u = v;
             hit.v = w;
         }
+        VertexAttributes more = attributes;
+        if (more == null) {
+            hit.setNoAttributes();
+        } else {
+            more.set(a, b, c, u, v, w, hit);
+        }
+        setTriangleFrame(a, b, c, u, v, w, instance, hit);
+        if (tangentsOfRun != null && tangentsOfRun[run]) {
+            if (st != null) {
+                Tangents.ofTriangle(positions, st, a, b, c, instance, hit);
+            } else {
+                hit.alignFrame(0, 0, 0, 0, 0, 0);
+            }
+        }
+    }
+
+    private void setTriangleFrame(
+            int a, int b, int c, double u, double v, double w, @Nullable Instance instance, SurfacePoint hit) {
         float[] n = normals;
         if (n == null || (n[3 * a] == 0 && n[3 * a + 1] == 0 && n[3 * a + 2] == 0)) {
             setFrame(hit, hit.gx, hit.gy, hit.gz);
@@ -133,7 +161,7 @@ final class LevelGeometry {
         }
     }
 
-    private void completeQuadric(HitRefinement refined, int index, SurfacePoint hit) {
+    private void completeQuadric(HitRefinement refined, int index, @Nullable Instance instance, SurfacePoint hit) {
         QuadricShape shape = quadricShapes[index];
         hit.shape = shape.shape();
         if (shape.flipped()) {
@@ -142,9 +170,13 @@ final class LevelGeometry {
             hit.gz = -hit.gz;
         }
         setFrame(hit, hit.gx, hit.gy, hit.gz);
-        if (!shape.textured()) {
+        if (shape.needs().tangents()) {
+            Tangents.ofQuadric(quadrics[index], shape.reversed(), refined, instance, hit);
+        }
+        if (!shape.needs().textured()) {
             hit.u = 0;
             hit.v = 0;
+            hit.setNoAttributes();
             return;
         }
         double phi = Math.atan2(refined.objectY, refined.objectX) / TWO_PI;
@@ -162,7 +194,12 @@ final class LevelGeometry {
                 hit.u = turn;
                 hit.v = refined.objectZ;
             }
+            case CONE -> {
+                hit.u = shape.reversed() && turn > 0 ? 1 - turn : turn;
+                hit.v = shape.reversed() ? 1 - refined.objectZ : refined.objectZ;
+            }
         }
+        hit.setNoAttributes();
     }
 
     /**

@@ -37,7 +37,7 @@ public final class RayCaster {
     }
 
     /**
-     * Finds the nearest surface seen from a surface point.
+     * Finds the nearest surface seen from a surface point. Holes of alpha masks are no surface.
      *
      * @param from where the ray starts
      * @param dx unit direction
@@ -58,6 +58,23 @@ public final class RayCaster {
             return false;
         }
         scene.resolve(ray, refinement, hit);
+        return !scene.maybeTransparent() || pastHoles(dx, dy, dz, kind, hit);
+    }
+
+    /**
+     * Goes on from a hit as long as there is a hole: alpha masks of opacity 0 are left behind here, without sampling their
+     * material. No random number decides, so the expectation is that of sampling them, which always lets the ray pass.
+     */
+    private boolean pastHoles(double dx, double dy, double dz, RayKind kind, SurfacePoint hit) {
+        while (scene.isHole(hit)) {
+            double o = hit.geometricCosine(dx, dy, dz) < 0 ? -hit.offset : hit.offset;
+            counts[kind.ordinal()]++;
+            ray.set(hit.x + o * hit.gx, hit.y + o * hit.gy, hit.z + o * hit.gz, dx, dy, dz, Double.POSITIVE_INFINITY);
+            if (!intersector.intersect(ray)) {
+                return false;
+            }
+            scene.resolve(ray, refinement, hit);
+        }
         return true;
     }
 

@@ -27,6 +27,8 @@ public final class Scene {
     private final FilmSettings film;
     private final Bounds bounds;
     private final boolean maybeTransparent;
+    /** Shapes that rays may find a hole in: not lights, whose light does not depend on the material. */
+    private final boolean[] mayHaveHoles;
 
     Scene(
             Intersector intersector,
@@ -51,8 +53,10 @@ public final class Scene {
         this.film = film;
         this.bounds = bounds;
         boolean transparent = false;
-        for (Bsdf bsdf : bsdfs) {
-            transparent |= bsdf.maybeTransparent();
+        mayHaveHoles = new boolean[bsdfs.length];
+        for (int i = 0; i < bsdfs.length; i++) {
+            transparent |= bsdfs[i].maybeTransparent();
+            mayHaveHoles[i] = bsdfs[i].maybeTransparent() && lightOfShape[i] < 0;
         }
         this.maybeTransparent = transparent;
     }
@@ -126,6 +130,11 @@ public final class Scene {
     /** Bounds of all geometry; empty bounds if there is none. */
     public Bounds bounds() {
         return bounds;
+    }
+
+    /** True if there is nothing at a point of a shape: light passes straight through all of it, and none is emitted. */
+    boolean isHole(SurfacePoint point) {
+        return mayHaveHoles[point.shape] && bsdfs[point.shape].transparency(point) == 1;
     }
 
     /** True if some material lets part of the light pass straight through. */

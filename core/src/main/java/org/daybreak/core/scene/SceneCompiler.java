@@ -76,9 +76,9 @@ public final class SceneCompiler {
             bsdfs.add(node.material());
             Shape geometry = wound(node.shape());
             Texture radiance = node.radiance();
-            boolean textured = node.material().textured() || (radiance != null && !radiance.isConstant());
+            ShadingNeeds needs = ShadingNeeds.of(node.material(), radiance);
             int firstPrimitive = builder.triangleCount();
-            builder.add(index, geometry, shape.toLevel(), node.flipNormals(), textured);
+            builder.add(index, geometry, shape.toLevel(), node.flipNormals(), needs);
             if (radiance == null) {
                 lightOfShape.add(-1);
             } else {
@@ -119,15 +119,23 @@ public final class SceneCompiler {
         IdentityHashMap<FlatScene.Prototype, BuiltLevel> built = new IdentityHashMap<>();
         for (FlatScene.Prototype prototype : flat.usedPrototypes()) {
             LevelBuilder builder = new LevelBuilder();
+            // A level may hold many copies of a node.
+            IdentityHashMap<ShapeNode, Integer> indices = new IdentityHashMap<>();
+            IdentityHashMap<Shape, Shape> wound = new IdentityHashMap<>();
             for (FlatScene.PlacedShape shape : prototype.shapes) {
                 ShapeNode node = shape.node();
+                Integer index = indices.get(node);
+                if (index == null) {
+                    index = bsdfs.size();
+                    indices.put(node, index);
+                    bsdfs.add(node.material());
+                }
                 builder.add(
-                        bsdfs.size(),
-                        wound(node.shape()),
+                        index,
+                        wound.computeIfAbsent(node.shape(), SceneCompiler::wound),
                         shape.toLevel(),
                         node.flipNormals(),
-                        node.material().textured());
-                bsdfs.add(node.material());
+                        ShadingNeeds.of(node.material(), null));
             }
             LevelGeometry geometry = builder.build();
             PrimitiveSet set = geometry.primitives(new Instance[0]);
@@ -137,8 +145,9 @@ public final class SceneCompiler {
         Instance[] instances = new Instance[count];
         LevelGeometry[] geometries = new LevelGeometry[count];
         PrimitiveSet[] sets = new PrimitiveSet[count];
-        for (int i = 0; i < count; i++) {
-            FlatScene.PlacedPrototype placed = flat.instances.get(i);
+        for (int i = count - 1; i >= 0; i--) {
+            // Frees what has been taken over: there can be millions.
+            FlatScene.PlacedPrototype placed = flat.instances.remove(i);
             BuiltLevel level = java.util.Objects.requireNonNull(built.get(placed.prototype()));
             Transform toWorld = placed.toWorld();
             instances[i] = new Instance(toWorld.rows(), toWorld.inverse().rows(), level.intersector);

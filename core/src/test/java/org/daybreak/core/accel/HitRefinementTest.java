@@ -67,11 +67,11 @@ class HitRefinementTest {
     }
 
     /**
-     * From points on a closed quadric, or a room of two disks and a cylinder, outward rays hit nothing and inward rays
+     * From points on a closed quadric, or a room of two disks and a cylinder or frustum, outward rays hit nothing and inward rays
      * hit something, whatever the transform.
      */
     @ParameterizedTest
-    @EnumSource(names = {"SPHERE", "CYLINDER"})
+    @EnumSource(names = {"SPHERE", "CYLINDER", "CONE"})
     void raysFromQuadricsNeitherLeakNorHitThemselves(Quadric.Kind kind) {
         SplittableRandom random = new SplittableRandom(2);
         for (int round = 0; round < 40; round++) {
@@ -85,11 +85,15 @@ class HitRefinementTest {
             for (int row = 0; row < 12; row += 4) {
                 top[row + 3] += m[row + 2];
             }
+            double taper = kind == Quadric.Kind.CONE ? 0.1 + 0.5 * random.nextDouble() : 0;
+            for (int row = 0; row < 12; row += 4) {
+                top[row] *= 1 - taper;
+                top[row + 1] *= 1 - taper;
+            }
+            Quadric side = kind == Quadric.Kind.CONE ? new Quadric(kind, m).withTaper(taper) : new Quadric(kind, m);
             Quadric[] quadrics = kind == Quadric.Kind.SPHERE
-                    ? new Quadric[] {new Quadric(kind, m)}
-                    : new Quadric[] {
-                        new Quadric(kind, m), new Quadric(Quadric.Kind.DISK, m), new Quadric(Quadric.Kind.DISK, top)
-                    };
+                    ? new Quadric[] {side}
+                    : new Quadric[] {side, new Quadric(Quadric.Kind.DISK, m), new Quadric(Quadric.Kind.DISK, top)};
             double height = kind == Quadric.Kind.SPHERE ? 0 : 0.5;
             double[] centre = {m[3] + height * m[2], m[7] + height * m[6], m[11] + height * m[10]};
             follow(new PrimitiveSet(new float[0], new int[0], quadrics, new Instance[0]), centre, random);

@@ -45,7 +45,13 @@ class SpectralColorsTest {
         assertEquals(0, warm[2], 0.02 * warm[0]);
         // Wien's approximation holds to 1e-3 in the visible at 2000 K: c1/l^5 exp(-c2/lT) at 555 nm is 5.3 W/(m2 sr
         // nm).
-        double green = 1.191042972e20 / Math.pow(555, 5) * Math.exp(-1.438776877e7 / (555 * 2000));
+        double green = 2
+                * 6.62607015e-34
+                * 299_792_458.0
+                * 299_792_458.0
+                * 1e36
+                / Math.pow(555, 5)
+                * Math.exp(-0.01438776877e9 / (555 * 2000));
         double luminance = 0.212671 * warm[0] + 0.715160 * warm[1] + 0.072169 * warm[2];
         assertEquals(1.3, luminance / green, 0.3);
     }

@@ -34,13 +34,17 @@ public final class SurfaceCase {
         this.flip = flip;
         map = shape instanceof Sphere s
                 ? toWorld.multiply(ShapeFrames.of(s))
-                : shape instanceof Cylinder c ? toWorld.multiply(ShapeFrames.of(c)) : toWorld;
+                : shape instanceof Cylinder c
+                        ? toWorld.multiply(ShapeFrames.of(c))
+                        : shape instanceof Cone cone ? toWorld.multiply(ShapeFrames.of(cone)) : toWorld;
     }
 
     /** Every kind of surface with every kind of transform that it treats differently. */
     public static List<SurfaceCase> all() {
         Sphere sphere = new Sphere(new Point3d(0.1, -0.2, 0.05), 0.8);
         Cylinder cylinder = new Cylinder(new Point3d(-0.3, -0.5, 0.2), new Point3d(0.2, 0.4, 0.6), 0.5);
+        Cone cone = new Cone(new Point3d(-0.3, -0.5, 0.2), new Point3d(0.2, 0.4, 0.6), 0.7, 0);
+        Cone frustum = new Cone(new Point3d(-0.3, -0.5, 0.2), new Point3d(0.2, 0.4, 0.6), 0.3, 0.6);
         List<SurfaceCase> cases = new ArrayList<>();
         for (boolean flip : new boolean[] {false, true}) {
             String suffix = flip ? ", flipped" : "";
@@ -53,6 +57,8 @@ public final class SurfaceCase {
             cases.add(new SurfaceCase("mirrored ellipsoid" + suffix, sphere, MIRROR_SHEAR, flip));
             cases.add(new SurfaceCase("cylinder" + suffix, cylinder, TURN, flip));
             cases.add(new SurfaceCase("mirrored oblique cylinder" + suffix, cylinder, MIRROR_SHEAR, flip));
+            cases.add(new SurfaceCase("cone" + suffix, cone, TURN, flip));
+            cases.add(new SurfaceCase("mirrored oblique frustum" + suffix, frustum, MIRROR_SHEAR, flip));
             cases.add(new SurfaceCase("cube" + suffix, new Cube(), TURN, flip));
             cases.add(new SurfaceCase("mirrored box" + suffix, new Cube(), MIRROR_SHEAR, flip));
         }
@@ -101,9 +107,11 @@ public final class SurfaceCase {
             return inside && accept(t, 0, 0, 1, px, py, pz, dx, dy, dz, out);
         }
         double height = shape instanceof Sphere ? 1 : 0;
-        double a = d[0] * d[0] + d[1] * d[1] + height * d[2] * d[2];
-        double b = o[0] * d[0] + o[1] * d[1] + height * o[2] * d[2];
-        double c = o[0] * o[0] + o[1] * o[1] + height * o[2] * o[2] - 1;
+        double taper = shape instanceof Cone cone ? cone.taper() : 0;
+        double radius = 1 - taper * o[2];
+        double a = d[0] * d[0] + d[1] * d[1] + (height - taper * taper) * d[2] * d[2];
+        double b = o[0] * d[0] + o[1] * d[1] + height * o[2] * d[2] + taper * radius * d[2];
+        double c = o[0] * o[0] + o[1] * o[1] + height * o[2] * o[2] - radius * radius;
         double discriminant = b * b - a * c;
         if (discriminant < 0) {
             return false;
@@ -112,7 +120,8 @@ public final class SurfaceCase {
             double t = (-b + sign * Math.sqrt(discriminant)) / a;
             double z = o[2] + t * d[2];
             boolean inside = shape instanceof Sphere || (z >= 0 && z <= 1);
-            if (inside && accept(t, o[0] + t * d[0], o[1] + t * d[1], height * z, px, py, pz, dx, dy, dz, out)) {
+            double nz = height * z + taper * (1 - taper * z);
+            if (inside && accept(t, o[0] + t * d[0], o[1] + t * d[1], nz, px, py, pz, dx, dy, dz, out)) {
                 return true;
             }
         }

@@ -59,8 +59,8 @@ class SurfaceSamplerTest {
                             radius)
                     .cells(13, 13)
                     .samples(30_000)
-                    // Towards the silhouette of a cylinder the density has a pole, which takes a finer quadrature.
-                    .depth(4, surface.name().contains("cylinder") ? 10 : 6)
+                    // Towards the silhouette of a ruled surface the density has a pole, which takes a finer quadrature.
+                    .depth(4, surface.name().matches(".*(cylinder|cone|frustum).*") ? 10 : 6)
                     .assertAgrees(Significance.sidak(SIGNIFICANCE, tests));
         }
     }
@@ -126,6 +126,14 @@ class SurfaceSamplerTest {
         assertEquals(
                 2 * Math.PI * 0.5 * 4,
                 area(new Cylinder(new Point3d(), new Point3d(0, 4, 0), 0.5), Transform.identity()),
+                1e-9);
+        assertEquals(
+                Math.PI * (2 + 0.5) * Math.hypot(4, 1.5),
+                area(new Cone(new Point3d(), new Point3d(0, 4, 0), 0.5, 2), Transform.identity()),
+                1e-9);
+        assertEquals(
+                Math.PI * 2 * Math.hypot(4, 2),
+                area(new Cone(new Point3d(), new Point3d(0, 0, 4), 2, 0), Transform.identity()),
                 1e-9);
         assertEquals(8 * (2 * 3 + 3 * 4 + 2 * 4), area(new Cube(), Transform.scale(2, 3, 4)), 1e-9);
         // Oblate spheroid, a = 2, c = 1: 2πa²(1 + (1 − e²)/e · artanh e), e² = 3/4.

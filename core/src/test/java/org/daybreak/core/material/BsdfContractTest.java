@@ -136,7 +136,7 @@ class BsdfContractTest {
         Spectrum weight = sample.weight;
         assertTrue(weight.isFinite() && weight.r >= 0 && weight.g >= 0 && weight.b >= 0, where);
         assertTrue(sample.density > 0 && Double.isFinite(sample.density), where);
-        boolean refracted = !sample.passThrough && wo[2] * wi[2] < 0;
+        boolean refracted = !sample.passThrough && wo[2] > 0 != wi[2] > 0;
         assertTrue(sample.delta || !sample.passThrough, where);
         assertTrue(refracted || sample.eta == 1, where);
         if (sample.delta) {

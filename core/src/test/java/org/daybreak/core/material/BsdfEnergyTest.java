@@ -53,7 +53,61 @@ class BsdfEnergyTest {
         Bsdf bothSides = new TwoSided(new Diffuse(white), new Plastic(1.5, 1, white, white, false));
         list.add(new White("mask", new Mask(ConstantTexture.grey(0.3), bothSides), true));
         list.add(new White("two-sided", bothSides, true));
+        Texture half = ConstantTexture.grey(0.5);
+        list.add(new White("thin dielectric", new ThinDielectric(1.5, 1, white, white), true));
+        list.add(new White("leaf", new Leaf(half, half, ConstantTexture.grey(0.7), ConstantTexture.grey(0.3)), true));
+        list.add(new White("diffuse transmitter", Leaf.transmitter(white), true));
+        list.add(new White("null", new NullBsdf(), true));
+        list.add(new White("blend", new Blend(half, bothSides, new Diffuse(white)), false));
+        list.add(new White("phong", phong(half, half, ConstantTexture.grey(0), 0.5), false));
+        list.add(new White("phong glass", phong(half, half, half, 0.8), false));
+        for (Microfacet.Kind kind : Microfacet.Kind.values()) {
+            for (double alpha : new double[] {0.02, 0.2, 1}) {
+                Roughness stretched = Roughness.of(ConstantTexture.grey(alpha), ConstantTexture.grey(0.3));
+                String name = kind + " " + alpha + ", 0.3";
+                list.add(new White("conductor " + name, RoughConductor.mirror(kind, stretched, white), false));
+                list.add(new White(
+                        "dielectric " + name, new RoughDielectric(kind, stretched, 1.5, 1, white, white), false));
+            }
+        }
+        for (double rough : new double[] {0.1, 0.5, 1}) {
+            list.add(new White("principled metal " + rough, whitePrincipled(rough, 1, 0), false));
+            list.add(new White("principled glass " + rough, whitePrincipled(rough, 0, 1), false));
+        }
         return list;
+    }
+
+    private static Bsdf phong(Texture diffuse, Texture specular, Texture transparency, double shininess) {
+        Texture exponent = ConstantTexture.grey(shininess);
+        return new GroimpPhong(
+                new GroimpPhong.Parameters(
+                        diffuse,
+                        BsdfCases.white(),
+                        specular,
+                        exponent,
+                        transparency,
+                        exponent,
+                        ConstantTexture.grey(0),
+                        true),
+                1.5,
+                1);
+    }
+
+    private static Bsdf whitePrincipled(double roughness, double metallic, double specTrans) {
+        Texture zero = ConstantTexture.grey(0);
+        return new Principled(new Principled.Parameters(
+                BsdfCases.white(),
+                ConstantTexture.grey(roughness),
+                ConstantTexture.grey(0.4),
+                ConstantTexture.grey(metallic),
+                ConstantTexture.grey(specTrans),
+                1.5,
+                zero,
+                zero,
+                zero,
+                zero,
+                zero,
+                zero));
     }
 
     @TestFactory

@@ -113,11 +113,16 @@ public final class BruteForceIntersection {
         }
         boolean sphere = quadric.kind() == Quadric.Kind.SPHERE;
         double z = sphere ? 1 : 0;
-        double a = r.dx * r.dx + r.dy * r.dy + z * r.dz * r.dz;
-        double b = r.ox * r.dx + r.oy * r.dy + z * r.oz * r.dz;
-        double c = r.ox * r.ox + r.oy * r.oy + z * r.oz * r.oz - 1;
+        // x² + y² + z·oz² = (1 − taper·oz)²
+        double taper = quadric.taper();
+        double radius = 1 - taper * r.oz;
+        double a = r.dx * r.dx + r.dy * r.dy + (z - taper * taper) * r.dz * r.dz;
+        double b = r.ox * r.dx + r.oy * r.dy + z * r.oz * r.dz + taper * radius * r.dz;
+        double c = r.ox * r.ox + r.oy * r.oy + z * r.oz * r.oz - radius * radius;
         double root = Math.sqrt(b * b - a * c);
-        for (double t : new double[] {(-b - root) / a, (-b + root) / a}) {
+        double t0 = (-b - root) / a;
+        double t1 = (-b + root) / a;
+        for (double t : new double[] {Math.min(t0, t1), Math.max(t0, t1)}) {
             double height = r.oz + t * r.dz;
             if (t > 0 && (sphere || (height >= 0 && height <= 1))) {
                 return t;

@@ -45,7 +45,12 @@ public final class IntersectorChecks {
         Quadric[] shapes = new Quadric[quadrics];
         Quadric.Kind[] kinds = Quadric.Kind.values();
         for (int i = 0; i < quadrics; i++) {
-            shapes[i] = new Quadric(kinds[i % kinds.length], randomAffine(random, size, scale));
+            Quadric.Kind kind = kinds[i % kinds.length];
+            double[] m = randomAffine(random, size, scale);
+            shapes[i] = new Quadric(kind, m);
+            if (kind == Quadric.Kind.CONE && i % 8 > 3) {
+                shapes[i] = shapes[i].withTaper(random.nextDouble());
+            }
         }
         return new PrimitiveSet(positions, corners, shapes, instances);
     }

@@ -3,16 +3,29 @@ package org.daybreak.scenes.build;
 import java.util.IdentityHashMap;
 import java.util.List;
 import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.material.Blend;
 import org.daybreak.core.material.Bsdf;
+import org.daybreak.core.material.BumpMap;
 import org.daybreak.core.material.Conductor;
 import org.daybreak.core.material.ConstantTexture;
 import org.daybreak.core.material.Dielectric;
 import org.daybreak.core.material.Diffuse;
+import org.daybreak.core.material.GroimpPhong;
+import org.daybreak.core.material.Leaf;
 import org.daybreak.core.material.Mask;
 import org.daybreak.core.material.Microfacet;
+import org.daybreak.core.material.NormalMap;
+import org.daybreak.core.material.NullBsdf;
 import org.daybreak.core.material.Plastic;
+import org.daybreak.core.material.Principled;
+import org.daybreak.core.material.PrincipledThin;
 import org.daybreak.core.material.RoughConductor;
+import org.daybreak.core.material.RoughDielectric;
 import org.daybreak.core.material.RoughPlastic;
+import org.daybreak.core.material.Roughness;
+import org.daybreak.core.material.ScaledTexture;
+import org.daybreak.core.material.Texture;
+import org.daybreak.core.material.ThinDielectric;
 import org.daybreak.core.material.TwoSided;
 import org.daybreak.scenes.description.ObjectDescription;
 import org.daybreak.scenes.description.ObjectKind;
@@ -65,6 +78,20 @@ final class BsdfBuilder {
                             p.refractiveIndex("ext_ior"),
                             textures.texture(p, "specular_reflectance"),
                             textures.texture(p, "specular_transmittance"));
+                case "roughdielectric" ->
+                    new RoughDielectric(
+                            distribution(p),
+                            roughness(p),
+                            p.refractiveIndex("int_ior"),
+                            p.refractiveIndex("ext_ior"),
+                            textures.texture(p, "specular_reflectance"),
+                            textures.texture(p, "specular_transmittance"));
+                case "thindielectric" ->
+                    new ThinDielectric(
+                            p.refractiveIndex("int_ior"),
+                            p.refractiveIndex("ext_ior"),
+                            textures.texture(p, "specular_reflectance"),
+                            textures.texture(p, "specular_transmittance"));
                 case "plastic" ->
                     new Plastic(
                             p.refractiveIndex("int_ior"),
@@ -83,6 +110,15 @@ final class BsdfBuilder {
                             p.truth("nonlinear"));
                 case "twosided" -> twoSided(p);
                 case "mask" -> mask(p);
+                case "difftrans" -> Leaf.transmitter(textures.texture(p, "transmittance"));
+                case "leaf" -> leaf(p);
+                case "groimp_phong" -> phong(p);
+                case "principled" -> principled(p);
+                case "principledthin" -> principledThin(p);
+                case "blendbsdf" -> blend(p);
+                case "normalmap" -> normalMap(p);
+                case "bumpmap" -> bumpMap(p);
+                case "null" -> new NullBsdf();
                 default -> throw new IllegalStateException("no builder for " + object.label());
             };
         } catch (IllegalArgumentException e) {
@@ -92,51 +128,150 @@ final class BsdfBuilder {
     }
 
     private Bsdf conductor(Properties p) {
-        boolean mirror = isMirror(p);
-        return mirror
-                ? Conductor.mirror(textures.texture(p, "specular_reflectance"))
-                : new Conductor(spectrum(p, "eta"), spectrum(p, "k"), textures.texture(p, "specular_reflectance"));
+        Texture reflectance = textures.texture(p, "specular_reflectance");
+        Metals.ComplexIndex index = index(p);
+        return index == null ? Conductor.mirror(reflectance) : new Conductor(index.eta(), index.k(), reflectance);
     }
 
     private Bsdf roughConductor(Properties p) {
-        double alpha = conductorAlpha(p);
-        return isMirror(p)
-                ? RoughConductor.mirror(distribution(p), alpha, textures.texture(p, "specular_reflectance"))
-                : new RoughConductor(
-                        distribution(p),
-                        alpha,
-                        spectrum(p, "eta"),
-                        spectrum(p, "k"),
-                        textures.texture(p, "specular_reflectance"));
+        Texture reflectance = textures.texture(p, "specular_reflectance");
+        Roughness roughness = roughness(p);
+        Metals.ComplexIndex index = index(p);
+        return index == null
+                ? RoughConductor.mirror(distribution(p), roughness, reflectance)
+                : new RoughConductor(distribution(p), roughness, index.eta(), index.k(), reflectance);
     }
 
-    /** With the defaults, η = 0 and k = 1, all light is reflected at every angle. */
-    private boolean isMirror(Properties p) {
-        boolean index = p.mentions("eta") || p.mentions("k");
+    /** Null for a mirror, which is the default: η = 0 and k = 1 reflect all light at every angle. */
+    private Metals.@Nullable ComplexIndex index(Properties p) {
+        boolean given = p.mentions("eta") || p.mentions("k");
         String material = p.text("material");
-        if (!material.equals("none")) {
-            context.error(
-                    p.location("material"),
-                    index
-                            ? "either 'material' or 'eta' and 'k' can be given, not both"
-                            : "metals by name ('" + material + "') are not supported: give 'eta' and 'k', or 'none'");
+        if (material.equals("none")) {
+            return given ? new Metals.ComplexIndex(spectrum(p, "eta"), spectrum(p, "k")) : null;
         }
-        return !index;
+        if (given) {
+            context.error(p.location("material"), "either 'material' or 'eta' and 'k' can be given, not both");
+            return null;
+        }
+        Metals.ComplexIndex index = Metals.of(material);
+        if (index == null) {
+            context.problems()
+                    .unknownName(
+                            p.location("material"),
+                            "there is no metal '" + material + "' (give 'eta' and 'k' for others)",
+                            material,
+                            Metals.names());
+        }
+        return index;
     }
 
-    private double conductorAlpha(Properties p) {
+    private Roughness roughness(Properties p) {
         if (!p.mentions("alpha_u") && !p.mentions("alpha_v")) {
-            return p.number("alpha", DEFAULT_ALPHA);
+            return Roughness.of(textures.texture(p, "alpha"));
         }
         SourceLocation location = p.location(p.has("alpha_u") ? "alpha_u" : "alpha_v");
         if (p.mentions("alpha")) {
             context.error(location, "either 'alpha' or 'alpha_u' and 'alpha_v' can be given, not both");
         } else if (!p.mentions("alpha_u") || !p.mentions("alpha_v")) {
             context.error(location, "'alpha_u' and 'alpha_v' must be given together");
-        } else if (p.has("alpha_u") && p.has("alpha_v") && p.number("alpha_u") != p.number("alpha_v")) {
-            context.error(location, "anisotropic roughness is not supported: 'alpha_u' and 'alpha_v' must be equal");
         }
-        return p.number("alpha_u", DEFAULT_ALPHA);
+        if (!p.has("alpha_u") || !p.has("alpha_v")) {
+            return Roughness.of(DEFAULT_ALPHA);
+        }
+        return Roughness.of(textures.texture(p, "alpha_u"), textures.texture(p, "alpha_v"));
+    }
+
+    private Bsdf leaf(Properties p) {
+        Texture reflectance = textures.texture(p, "reflectance");
+        Texture transmittance = textures.texture(p, "transmittance");
+        return new Leaf(
+                reflectance,
+                transmittance,
+                p.has("back_reflectance") ? textures.texture(p, "back_reflectance") : reflectance,
+                p.has("back_transmittance") ? textures.texture(p, "back_transmittance") : transmittance);
+    }
+
+    private Bsdf phong(Properties p) {
+        return new GroimpPhong(
+                new GroimpPhong.Parameters(
+                        textures.texture(p, "diffuse"),
+                        textures.texture(p, "alpha"),
+                        p.has("specular") ? textures.texture(p, "specular") : null,
+                        textures.texture(p, "shininess"),
+                        textures.texture(p, "transparency"),
+                        textures.texture(p, "transparency_shininess"),
+                        textures.texture(p, "diffuse_transparency"),
+                        p.truth("interpolated_transparency")),
+                p.refractiveIndex("int_ior"),
+                p.refractiveIndex("ext_ior"));
+    }
+
+    private Bsdf principled(Properties p) {
+        if (p.mentions("eta") && p.mentions("specular")) {
+            context.error(p.location("eta"), "either 'eta' or 'specular' can be given, not both");
+        }
+        return new Principled(new Principled.Parameters(
+                textures.texture(p, "base_color"),
+                textures.texture(p, "roughness"),
+                textures.texture(p, "anisotropic"),
+                textures.texture(p, "metallic"),
+                textures.texture(p, "spec_trans"),
+                p.has("eta") ? p.number("eta") : Principled.etaOfSpecular(p.number("specular")),
+                textures.texture(p, "spec_tint"),
+                textures.texture(p, "sheen"),
+                textures.texture(p, "sheen_tint"),
+                textures.texture(p, "flatness"),
+                textures.texture(p, "clearcoat"),
+                textures.texture(p, "clearcoat_gloss")));
+    }
+
+    private Bsdf principledThin(Properties p) {
+        return new PrincipledThin(new PrincipledThin.Parameters(
+                textures.texture(p, "base_color"),
+                textures.texture(p, "roughness"),
+                textures.texture(p, "anisotropic"),
+                textures.texture(p, "spec_trans"),
+                p.number("eta"),
+                textures.texture(p, "spec_tint"),
+                textures.texture(p, "sheen"),
+                textures.texture(p, "sheen_tint"),
+                textures.texture(p, "flatness"),
+                new ScaledTexture(textures.texture(p, "diff_trans"), 0.5, 0.5, 0.5)));
+    }
+
+    private @Nullable Bsdf blend(Properties p) {
+        List<Properties.Child> nested = p.children(ObjectKind.BSDF);
+        if (nested.size() != 2) {
+            return null;
+        }
+        return new Blend(
+                textures.texture(p, "weight"),
+                bsdf(nested.get(0).object(), nested.get(0).location()),
+                bsdf(nested.get(1).object(), nested.get(1).location()));
+    }
+
+    private @Nullable Bsdf normalMap(Properties p) {
+        Properties.Child nested = p.child(ObjectKind.BSDF);
+        return nested == null
+                ? null
+                : new NormalMap(
+                        textures.texture(p, "normalmap"),
+                        p.number("scale"),
+                        p.text("green").equals("against_v"),
+                        bsdf(nested.object(), nested.location()),
+                        p.truth("use_shadowing_function"));
+    }
+
+    private @Nullable Bsdf bumpMap(Properties p) {
+        Properties.Child nested = p.child(ObjectKind.BSDF);
+        Properties.Child height = p.child(ObjectKind.TEXTURE);
+        return nested == null || height == null
+                ? null
+                : new BumpMap(
+                        textures.texture(height.object(), height.location()),
+                        p.number("scale"),
+                        bsdf(nested.object(), nested.location()),
+                        p.truth("use_shadowing_function"));
     }
 
     private static Microfacet.Kind distribution(Properties p) {
@@ -157,9 +292,12 @@ final class BsdfBuilder {
         }
         boolean opaque = true;
         for (Properties.Child child : nested) {
-            String type = child.object().type();
-            if (type.equals("dielectric") || type.equals("mask")) {
-                context.error(child.location(), "<bsdf type=\"twosided\"> must contain opaque materials, not " + type);
+            Bsdf side = bsdf(child.object(), child.location());
+            if (side.transmissive() || side.maybeTransparent()) {
+                context.error(
+                        child.location(),
+                        "<bsdf type=\"twosided\"> must contain opaque materials, not "
+                                + child.object().type());
                 opaque = false;
             }
         }

@@ -4,12 +4,18 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Set;
 import javax.vecmath.Matrix4d;
+import org.daybreak.core.geometry.HeightField;
 import org.daybreak.core.geometry.TriangleMesh;
+import org.daybreak.core.geometry.Tubes;
 import org.daybreak.scenes.description.SourceLocation;
+import org.daybreak.scenes.image.ImageLoader;
+import org.daybreak.scenes.image.LoadedImage;
+import org.daybreak.scenes.mesh.CurveReader;
 import org.daybreak.scenes.mesh.MeshFormatException;
 import org.daybreak.scenes.mesh.ObjReader;
 import org.daybreak.scenes.mesh.PlyReader;
@@ -31,6 +37,10 @@ final class MeshBuilder {
 
     private final BuildContext context;
     private final Map<String, TriangleMesh> read = new HashMap<>();
+
+    /** Keys of the OBJ files that have been read by materials. */
+    private final Set<String> parts = new HashSet<>();
+
     private final IdentityHashMap<TriangleMesh, TriangleMesh> smoothed = new IdentityHashMap<>();
     private final IdentityHashMap<TriangleMesh, TriangleMesh> flattened = new IdentityHashMap<>();
 
@@ -55,23 +65,38 @@ final class MeshBuilder {
         }
         String type = p.object().type();
         boolean flip = (type.equals("obj") || type.equals("ply")) && p.truth("flip_tex_coords");
+        String part = type.equals("obj") && p.has("material") ? p.text("material") : null;
         int index = type.equals("serialized") ? p.integer("shape_index") : 0;
+        String detail = switch (type) {
+            case "bsplinecurve", "linearcurve" -> Integer.toString(p.integer("sides"));
+            case "heightfield" -> Double.toString(p.number("scale"));
+            default -> Integer.toString(index);
+        };
         String key =
-                type + " " + flip + " " + index + " " + file.toAbsolutePath().normalize();
+                type + " " + flip + " " + detail + " " + file.toAbsolutePath().normalize();
+        if (part != null) {
+            key += " " + part;
+            readParts(file, flip, part, key, p.location("material"));
+        }
         TriangleMesh mesh = read.get(key);
-        if (mesh == null) {
-            mesh = read(file, type, flip, index, p.location("filename"));
+        if (mesh == null && part == null) {
+            mesh = switch (type) {
+                case "bsplinecurve", "linearcurve" -> curves(p, file);
+                case "heightfield" -> heightField(p, file);
+                default -> read(file, type, flip, index, p.location("filename"));
+            };
             if (mesh == null) {
                 return null;
             }
             read.put(key, mesh);
         }
-        if (p.truth("face_normals") || flat.contains(mesh)) {
+        if (mesh == null) {
+            return null;
+        }
+        boolean faces = !type.endsWith("curve") && p.truth("face_normals");
+        if (faces || flat.contains(mesh)) {
             TriangleMesh source = mesh;
-            return new Mesh(
-                    flattened.computeIfAbsent(
-                            source, m -> new TriangleMesh(m.positions(), m.triangles(), null, m.uvs())),
-                    true);
+            return new Mesh(flattened.computeIfAbsent(source, m -> withNormals(m, null)), true);
         }
         if (mesh.normals() != null) {
             return new Mesh(mesh, false);
@@ -85,8 +110,8 @@ final class MeshBuilder {
                 true);
     }
 
-    private static TriangleMesh withNormals(TriangleMesh m, float[] normals) {
-        return new TriangleMesh(m.positions(), m.triangles(), normals, m.uvs());
+    private static TriangleMesh withNormals(TriangleMesh m, float @Nullable [] normals) {
+        return new TriangleMesh(m.positions(), m.triangles(), normals, m.uvs(), m.secondUvs(), m.colors());
     }
 
     /** Normals computed in world space, in the mesh's own coordinates: n = ±Mᵀ n_world, so that M⁻ᵀ brings them back. */
@@ -112,6 +137,68 @@ final class MeshBuilder {
         return n;
     }
 
+    /** Reads an OBJ file by materials, once for all of them. */
+    private void readParts(Path file, boolean flip, String part, String key, SourceLocation usedAt) {
+        String common = key.substring(0, key.length() - part.length());
+        if (parts.add(common)) {
+            Map<String, TriangleMesh> meshes = guarded(file, usedAt, () -> ObjReader.readByMaterial(file, flip));
+            if (meshes != null) {
+                meshes.forEach((name, mesh) -> {
+                    TriangleMesh solid = solid(mesh, file, usedAt);
+                    if (solid != null) {
+                        read.put(common + name, solid);
+                    }
+                });
+                if (!meshes.containsKey(part)) {
+                    context.problems()
+                            .unknownName(
+                                    usedAt,
+                                    file + " has no faces of the material '" + part + "'",
+                                    part,
+                                    meshes.keySet());
+                }
+            }
+        }
+    }
+
+    private @Nullable TriangleMesh curves(Properties p, Path file) {
+        return guarded(file, p.location("filename"), () -> {
+            double[][] curves = CurveReader.read(file);
+            try {
+                return p.object().type().equals("linearcurve")
+                        ? Tubes.linear(curves, p.integer("sides"))
+                        : Tubes.bspline(curves, p.integer("sides"));
+            } catch (IllegalArgumentException e) {
+                throw new MeshFormatException(0, String.valueOf(e.getMessage()));
+            }
+        });
+    }
+
+    /** Heights are the values of the first channel as they are stored. */
+    private @Nullable TriangleMesh heightField(Properties p, Path file) {
+        String ending = ImageLoader.ending(file);
+        SourceLocation usedAt = p.location("filename");
+        if (!context.images().endings().contains(ending)) {
+            context.error(usedAt, "images of type '" + ending + "' cannot be read");
+            return null;
+        }
+        return guarded(file, usedAt, () -> {
+            LoadedImage image = context.images().load(file);
+            float[] heights = new float[image.width() * image.height()];
+            for (int i = 0; i < heights.length; i++) {
+                int at = image.channels() * i;
+                heights[i] = image instanceof LoadedImage.Bytes b
+                        ? (b.samples()[at] & 0xff) / 255f
+                        : ((LoadedImage.Floats) image).samples()[at];
+            }
+            try {
+                return HeightField.mesh(heights, image.width(), image.height(), p.number("scale"));
+            } catch (IllegalArgumentException e) {
+                throw new MeshFormatException(0, String.valueOf(e.getMessage()));
+            }
+        });
+    }
+
     private TriangleMesh serialized(Path file, int index) throws IOException {
         SerializedReader.Mesh mesh = SerializedReader.read(file, index);
         if (mesh.flat()) {
@@ -121,29 +208,43 @@ final class MeshBuilder {
     }
 
     private @Nullable TriangleMesh read(Path file, String type, boolean flip, int index, SourceLocation usedAt) {
+        TriangleMesh mesh = guarded(file, usedAt, () -> switch (type) {
+            case "obj" -> ObjReader.read(file, flip);
+            case "ply" -> PlyReader.read(file, flip);
+            case "stl" -> StlReader.read(file);
+            default -> serialized(file, index);
+        });
+        return mesh == null ? null : solid(mesh, file, usedAt);
+    }
+
+    /** The mesh without triangles of no area; null if nothing is left, which is reported. */
+    private @Nullable TriangleMesh solid(TriangleMesh mesh, Path file, SourceLocation usedAt) {
+        TriangleMesh solid = ZeroAreaTriangles.removedFrom(mesh);
+        int removed = mesh.triangleCount() - solid.triangleCount();
+        if (solid.triangleCount() == 0) {
+            context.error(usedAt, "no triangle of " + file + " has an area");
+            return null;
+        }
+        if (removed > 0) {
+            context.warning(
+                    usedAt,
+                    removed + (removed == 1 ? " triangle" : " triangles") + " of zero area in " + file
+                            + (removed == 1 ? " is" : " are") + " left out");
+        }
+        if (flat.remove(mesh)) {
+            flat.add(solid);
+        }
+        return solid;
+    }
+
+    private interface Reading<T> {
+        T read() throws IOException;
+    }
+
+    /** What a reader returns; null after an error that has been reported. */
+    private <T> @Nullable T guarded(Path file, SourceLocation usedAt, Reading<T> reading) {
         try {
-            TriangleMesh mesh = switch (type) {
-                case "obj" -> ObjReader.read(file, flip);
-                case "ply" -> PlyReader.read(file, flip);
-                case "stl" -> StlReader.read(file);
-                default -> serialized(file, index);
-            };
-            TriangleMesh solid = ZeroAreaTriangles.removedFrom(mesh);
-            int removed = mesh.triangleCount() - solid.triangleCount();
-            if (solid.triangleCount() == 0) {
-                context.error(usedAt, "no triangle of " + file + " has an area");
-                return null;
-            }
-            if (removed > 0) {
-                context.warning(
-                        usedAt,
-                        removed + (removed == 1 ? " triangle" : " triangles") + " of zero area in " + file
-                                + (removed == 1 ? " is" : " are") + " left out");
-            }
-            if (flat.remove(mesh)) {
-                flat.add(solid);
-            }
-            return solid;
+            return reading.read();
         } catch (MeshFormatException e) {
             context.error(new SourceLocation(file, e.line(), 0), e.getMessage() + " (used at " + usedAt + ")");
         } catch (IOException e) {

@@ -1,6 +1,5 @@
 package org.daybreak.scenes.build;
 
-import static org.daybreak.scenes.build.PropertyDefinition.choice;
 import static org.daybreak.scenes.build.PropertyDefinition.objects;
 import static org.daybreak.scenes.build.PropertyDefinition.optional;
 import static org.daybreak.scenes.build.PropertyDefinition.value;
@@ -45,13 +44,17 @@ public final class Plugins {
             map.computeIfAbsent(p.kind(), k -> new LinkedHashMap<>()).put(p.type(), p);
         }
         map.computeIfAbsent(ObjectKind.SCENE, k -> new LinkedHashMap<>()).put(ModelReader.MODEL, model());
+        PluginDefinition mesh = ShapePlugins.meshInMemory();
+        map.computeIfAbsent(mesh.kind(), k -> new LinkedHashMap<>()).put(mesh.type(), mesh);
         return map;
     }
 
+    /** A type with its properties. */
     static PluginDefinition plugin(ObjectKind kind, String type, String doc, PropertyDefinition... properties) {
         return new PluginDefinition(kind, type, doc, Arrays.asList(properties));
     }
 
+    /** Own properties followed by shared ones. */
     static PropertyDefinition[] join(List<PropertyDefinition> shared, PropertyDefinition... own) {
         List<PropertyDefinition> list = new ArrayList<>(Arrays.asList(own));
         list.addAll(shared);
@@ -66,8 +69,8 @@ public final class Plugins {
         FilmPlugins.addTo(list);
         addSamplers(list);
         ShapePlugins.addTo(list);
-        addBsdfs(list);
-        addTextures(list);
+        BsdfPlugins.addTo(list);
+        TexturePlugins.addTo(list);
         EmitterPlugins.addTo(list);
         return Collections.unmodifiableList(list);
     }
@@ -85,13 +88,15 @@ public final class Plugins {
                 objects(ObjectKind.TEXTURE, 0, MANY, "Textures to refer to."));
     }
 
-    /** The root of a model's description; files do not name it. */
+    /** The root of a model's description; scene files do not name it. */
     private static PluginDefinition model() {
         return plugin(
                 ObjectKind.SCENE,
                 ModelReader.MODEL,
-                "A model without camera and light.",
+                "A model that may lack camera and light.",
+                objects(ObjectKind.SENSOR, 0, MANY, "The cameras, of which the first is used."),
                 objects(ObjectKind.SHAPE, 0, MANY, "Geometry."),
+                objects(ObjectKind.EMITTER, 0, MANY, "Lights that are not on a shape."),
                 objects(ObjectKind.BSDF, 0, MANY, "Materials to refer to."));
     }
 
@@ -138,98 +143,5 @@ public final class Plugins {
                     optional("jitter", ValueType.BOOLEAN, NO_EFFECT),
                     optional("strength", ValueType.INTEGER, NO_EFFECT)));
         }
-    }
-
-    private static void addBsdfs(List<PluginDefinition> list) {
-        PropertyDefinition specular =
-                value("specular_reflectance", ValueType.REFLECTANCE, "1", "Factor on the specular reflection.");
-        List<PropertyDefinition> metal = List.of(
-                value("material", ValueType.STRING, "none", "Must be 'none': give eta and k for a metal."),
-                value("eta", ValueType.COLOR, "0", "Real part of the refractive index, relative to vacuum.")
-                        .between(0, 1e6),
-                value("k", ValueType.COLOR, "1", "Imaginary part of the refractive index.")
-                        .between(0, 1e6),
-                specular);
-        List<PropertyDefinition> rough = List.of(
-                choice("distribution", "beckmann", List.of("beckmann", "ggx"), "Distribution of microfacet normals."),
-                value("sample_visible", ValueType.BOOLEAN, "true", "Accepted; visible normals are always sampled."));
-        List<PropertyDefinition> dielectric = List.of(
-                value("ext_ior", ValueType.REFRACTIVE_INDEX, "air", "Refractive index on the side of the normal."),
-                specular);
-        PropertyDefinition alpha = optional("alpha", ValueType.FLOAT, "Roughness; default 0.1. No textures.")
-                .between(1e-6, 10);
-        List<PropertyDefinition> plastic = List.of(
-                value("int_ior", ValueType.REFRACTIVE_INDEX, "polypropylene", "Refractive index behind the surface."),
-                value("diffuse_reflectance", ValueType.REFLECTANCE, "0.5", "Reflectance of the base."),
-                value("nonlinear", ValueType.BOOLEAN, "false", "Colour shift by internal reflection."));
-        list.add(plugin(
-                ObjectKind.BSDF,
-                "diffuse",
-                "Lambertian reflection.",
-                value("reflectance", ValueType.REFLECTANCE, "0.5", "Albedo.")));
-        list.add(plugin(
-                ObjectKind.BSDF, "conductor", "Smooth metal; a perfect mirror unless eta or k is given.", join(metal)));
-        list.add(plugin(
-                ObjectKind.BSDF,
-                "roughconductor",
-                "Rough metal.",
-                join(
-                        metal,
-                        join(
-                                rough,
-                                alpha,
-                                optional("alpha_u", ValueType.FLOAT, "Roughness along u; must equal alpha_v.")
-                                        .between(1e-6, 10),
-                                optional("alpha_v", ValueType.FLOAT, "Roughness along v.")
-                                        .between(1e-6, 10)))));
-        list.add(plugin(
-                ObjectKind.BSDF,
-                "dielectric",
-                "Clear glass.",
-                join(
-                        dielectric,
-                        value("int_ior", ValueType.REFRACTIVE_INDEX, "bk7", "Refractive index behind the surface."),
-                        value("specular_transmittance", ValueType.REFLECTANCE, "1", "Factor on the refraction."))));
-        list.add(plugin(
-                ObjectKind.BSDF, "plastic", "Diffuse base under a smooth coat.", join(dielectric, join(plastic))));
-        list.add(plugin(
-                ObjectKind.BSDF,
-                "roughplastic",
-                "Diffuse base under a rough coat.",
-                join(dielectric, join(plastic, join(rough, alpha)))));
-        list.add(plugin(
-                ObjectKind.BSDF,
-                "twosided",
-                "Reflects on both sides alike, or differently if there are two materials.",
-                objects(ObjectKind.BSDF, 1, 2, "Front and, if it differs, back; opaque.")));
-        list.add(plugin(
-                ObjectKind.BSDF,
-                "mask",
-                "Lets part of the light through unchanged.",
-                value("opacity", ValueType.REFLECTANCE, "0.5", "1 for opaque."),
-                objects(ObjectKind.BSDF, 1, 1, "The masked material.")));
-    }
-
-    private static void addTextures(List<PluginDefinition> list) {
-        PropertyDefinition toUv =
-                optional("to_uv", ValueType.TRANSFORM, "Applied to texture coordinates; x, y and translation count.");
-        list.add(plugin(
-                ObjectKind.TEXTURE,
-                "bitmap",
-                "Image file; its first row is at v = 0. Alpha is dropped.",
-                optional("filename", ValueType.FILE, "The file.").asRequired(),
-                choice("filter_type", "bilinear", List.of("bilinear", "nearest"), "Interpolation."),
-                choice("wrap_mode", "repeat", List.of("repeat", "mirror", "clamp"), "What lies outside the image."),
-                value("raw", ValueType.BOOLEAN, "false", "Takes values of 8 and 16 bits as linear instead of sRGB."),
-                toUv,
-                optional("format", ValueType.STRING, NO_EFFECT),
-                optional("accel", ValueType.BOOLEAN, NO_EFFECT)));
-        list.add(plugin(
-                ObjectKind.TEXTURE,
-                "checkerboard",
-                "Four squares per unit of texture space.",
-                value("color0", ValueType.TEXTURED_EMISSION, "0.4", "Colour of the square at (0, 0)."),
-                value("color1", ValueType.TEXTURED_EMISSION, "0.2", "The other colour."),
-                toUv));
     }
 }

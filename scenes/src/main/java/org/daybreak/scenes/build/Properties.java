@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import javax.vecmath.Matrix4d;
 import javax.vecmath.Point3d;
+import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.core.render.NearestName;
 import org.daybreak.scenes.description.ObjectDescription;
 import org.daybreak.scenes.description.ObjectKind;
@@ -128,7 +129,7 @@ final class Properties {
         PropertyDefinition definition = definition(name);
         Set<String> textured = new TreeSet<>();
         for (PropertyDefinition d : plugin.properties()) {
-            if (d.type() == ValueType.REFLECTANCE || d.type() == ValueType.TEXTURED_EMISSION) {
+            if (d.type().isTextured()) {
                 textured.add(d.name());
             }
         }
@@ -201,7 +202,10 @@ final class Properties {
             case BOOLEAN -> value instanceof Value.Switch ? null : wrongType(value);
             case STRING -> value instanceof Value.Text ? null : wrongType(value);
             case FILE ->
-                value instanceof Value.Text t ? (t.value().isBlank() ? " but is empty" : null) : wrongType(value);
+                value instanceof Value.Text t
+                        ? (t.value().isBlank() ? " but is empty" : null)
+                        : value instanceof Value.Content ? null : wrongType(value);
+            case MESH -> value instanceof Value.Mesh ? null : wrongType(value);
             case CHOICE -> {
                 if (!(value instanceof Value.Text text)) {
                     yield wrongType(value);
@@ -216,6 +220,7 @@ final class Properties {
             case REFRACTIVE_INDEX -> refractiveIndexProblem(value);
             case COLOR -> colorProblem(value, definition.type(), definition.minimum(), definition.maximum());
             case REFLECTANCE -> colorProblem(value, definition.type(), 0, 1);
+            case TEXTURED_NUMBER -> colorProblem(value, definition.type(), definition.minimum(), definition.maximum());
             case EMISSION, TEXTURED_EMISSION -> colorProblem(value, definition.type(), 0, Double.POSITIVE_INFINITY);
             case TRANSFORM -> value instanceof Value.Transform t ? Affine.problem(t.matrix()) : wrongType(value);
             case OBJECT -> wrongType(value);
@@ -337,6 +342,19 @@ final class Properties {
         return choice ? text.value().toLowerCase(Locale.ROOT) : text.value();
     }
 
+    /** A file that the scene's file contains, or null if the property is not given or names a file. */
+    Value.@Nullable Content content(String name) {
+        PropertyDescription property = values.get(name);
+        return property != null && property.value() instanceof Value.Content content ? content : null;
+    }
+
+    /** A mesh in memory, or null if it is not given. */
+    @Nullable
+    TriangleMesh mesh(String name) {
+        PropertyDescription property = values.get(name);
+        return property != null && property.value() instanceof Value.Mesh mesh ? mesh.mesh() : null;
+    }
+
     /** A point, or its default. */
     Point3d point(String name) {
         PropertyDescription property = values.get(name);
@@ -383,10 +401,13 @@ final class Properties {
         return textures.get(name);
     }
 
-    /** True if a textured property must not exceed 1. */
-    boolean isReflectance(String name) {
+    /** What the values of a textured property must not exceed. */
+    double textureLimit(String name) {
         PropertyDefinition definition = definition(name);
-        return definition != null && definition.type() == ValueType.REFLECTANCE;
+        if (definition == null || definition.type() == ValueType.TEXTURED_EMISSION) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return definition.type() == ValueType.TEXTURED_NUMBER ? definition.maximum() : 1;
     }
 
     /** The contained objects of a kind. */

@@ -51,7 +51,7 @@ public record PropertyDefinition(
                 name, type, null, false, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, List.of(), null, doc);
     }
 
-    static PropertyDefinition choice(String name, String defaultValue, List<String> choices, String doc) {
+    static PropertyDefinition choice(String name, @Nullable String defaultValue, List<String> choices, String doc) {
         return new PropertyDefinition(name, ValueType.CHOICE, defaultValue, false, 0, 0, choices, null, doc);
     }
 
@@ -81,10 +81,12 @@ public record PropertyDefinition(
             case STRING -> "a string";
             case CHOICE -> "one of " + String.join(", ", choices);
             case FILE -> "a file name";
+            case MESH -> "a mesh";
             case POINT -> "a point";
             case REFRACTIVE_INDEX -> "a float greater than 0 or the name of a substance";
             case COLOR -> "an rgb or a float";
             case REFLECTANCE -> "an rgb, a float or a texture with values from 0 to 1";
+            case TEXTURED_NUMBER -> "a float or a texture with values" + range(false);
             case EMISSION -> "an rgb or a float, not negative";
             case TEXTURED_EMISSION -> "an rgb, a float or a texture, not negative";
             case TRANSFORM -> "a transform";
@@ -96,6 +98,9 @@ public record PropertyDefinition(
         String what = "<" + name + ">";
         if (maximum == 1) {
             return minimum == 1 ? "one " + what : "at most one " + what;
+        }
+        if (minimum == maximum) {
+            return "exactly " + (int) minimum + " " + what;
         }
         if (maximum < Integer.MAX_VALUE) {
             return (int) minimum + " to " + (int) maximum + " " + what;

@@ -54,7 +54,11 @@ final class SensorPlugins {
                 value("principal_point_offset_y", ValueType.FLOAT, "0", "Shift of the film downwards, in film heights.")
                         .between(-100, 100),
                 pixelAspect));
-        list.add(plugin(ObjectKind.SENSOR, "perspective", "Pinhole camera.", join(common)));
+        list.add(plugin(
+                ObjectKind.SENSOR,
+                "perspective",
+                "Pinhole camera.",
+                join(common, optional("focus_distance", ValueType.FLOAT, Plugins.NO_EFFECT))));
         list.add(plugin(
                 ObjectKind.SENSOR,
                 "thinlens",

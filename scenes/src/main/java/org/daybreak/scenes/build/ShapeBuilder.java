@@ -2,14 +2,19 @@ package org.daybreak.scenes.build;
 
 import java.util.IdentityHashMap;
 import javax.vecmath.Matrix4d;
+import org.daybreak.core.geometry.Cone;
 import org.daybreak.core.geometry.Cube;
 import org.daybreak.core.geometry.Cylinder;
 import org.daybreak.core.geometry.Disk;
 import org.daybreak.core.geometry.Rectangle;
 import org.daybreak.core.geometry.Shape;
 import org.daybreak.core.geometry.Sphere;
+import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.core.material.Bsdf;
+import org.daybreak.core.material.Diffuse;
 import org.daybreak.core.material.Texture;
+import org.daybreak.core.material.TwoSided;
+import org.daybreak.core.material.VertexColorTexture;
 import org.daybreak.core.scene.Group;
 import org.daybreak.core.scene.Instance;
 import org.daybreak.core.scene.Node;
@@ -22,12 +27,17 @@ import org.jspecify.annotations.Nullable;
 
 /** Builds shapes with their materials and emission. */
 final class ShapeBuilder {
+    /** What models with colours get in place of the neutral material. */
+    private static final Bsdf COLORED =
+            new TwoSided(new Diffuse(new VertexColorTexture(1)), new Diffuse(new VertexColorTexture(1)));
+
     private final BuildContext context;
     private final TextureBuilder textures;
     private final BsdfBuilder bsdfs;
     private final MeshBuilder meshes;
     private final IdentityHashMap<ObjectDescription, Group> groups = new IdentityHashMap<>();
     private final Bsdf neutral = AutoView.neutralMaterial();
+
     private int lights;
 
     ShapeBuilder(BuildContext context, TextureBuilder textures, BsdfBuilder bsdfs) {
@@ -117,16 +127,25 @@ final class ShapeBuilder {
         Shape shape;
         try {
             switch (p.object().type()) {
-                case "obj", "ply", "stl", "serialized" -> {
+                case "obj", "ply", "stl", "serialized", "bsplinecurve", "linearcurve", "heightfield" -> {
                     MeshBuilder.Mesh mesh = meshes.mesh(p, toWorld);
                     if (mesh == null) {
                         return null;
                     }
                     shape = mesh.mesh();
+                    material = material == neutral && mesh.mesh().colors() != null ? COLORED : material;
                     flip ^= mesh.frontByWinding() && Affine.isMirroring(toWorld);
+                }
+                case "mesh" -> {
+                    TriangleMesh mesh = p.mesh("mesh");
+                    if (mesh == null) {
+                        return null;
+                    }
+                    shape = mesh;
                 }
                 case "sphere" -> shape = new Sphere(p.point("center"), p.number("radius"));
                 case "cylinder" -> shape = new Cylinder(p.point("p0"), p.point("p1"), p.number("radius"));
+                case "cone" -> shape = new Cone(p.point("p0"), p.point("p1"), p.number("radius0"), p.number("radius1"));
                 case "rectangle" -> shape = new Rectangle();
                 case "disk" -> shape = new Disk();
                 case "cube" -> shape = new Cube();

@@ -1,6 +1,7 @@
 package org.daybreak.scenes.description;
 
 import javax.vecmath.Matrix4d;
+import org.daybreak.core.geometry.TriangleMesh;
 
 /** The value of a property, typed as the file says. Immutable; numbers are finite. */
 public sealed interface Value {
@@ -105,6 +106,28 @@ public sealed interface Value {
         @Override
         public String description() {
             return "a reference";
+        }
+    }
+
+    /** A mesh that a reader has in memory. */
+    record Mesh(TriangleMesh mesh) implements Value {
+        @Override
+        public String description() {
+            return "a mesh";
+        }
+    }
+
+    /**
+     * A file that is contained in another one.
+     *
+     * @param name how messages call it
+     * @param ending what its name would end in, in lower case without the dot: the type of its content
+     * @param bytes the content; not to be changed
+     */
+    record Content(String name, String ending, byte[] bytes) implements Value {
+        @Override
+        public String description() {
+            return "an embedded file";
         }
     }
 

@@ -3,7 +3,7 @@
  * the file it came from, and the collection of problems found on the way. Everything but {@link
  * org.daybreak.scenes.description.ProblemList} is immutable.
  *
- * <p>May depend on: vecmath, {@code core.render} (nearest names).
+ * <p>May depend on: vecmath, {@code core.render} (nearest names), {@code core.geometry} (meshes).
  */
 @NullMarked
 package org.daybreak.scenes.description;

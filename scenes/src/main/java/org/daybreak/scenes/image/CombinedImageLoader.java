@@ -28,4 +28,9 @@ final class CombinedImageLoader implements ImageLoader {
     public LoadedImage load(Path file) throws IOException {
         return (first.endings().contains(ImageLoader.ending(file)) ? first : second).load(file);
     }
+
+    @Override
+    public LoadedImage load(byte[] content, String ending) throws IOException {
+        return (first.endings().contains(ending) ? first : second).load(content, ending);
+    }
 }

@@ -21,6 +21,17 @@ public interface ImageLoader {
     LoadedImage load(Path file) throws IOException;
 
     /**
+     * Reads an image that is contained in another file. Only loaders of formats that occur there need to.
+     *
+     * @param content what would be in a file
+     * @param ending the file's ending, one of {@link #endings}
+     * @throws IOException as for {@link #load(Path)}
+     */
+    default LoadedImage load(byte[] content, String ending) throws IOException {
+        throw new IOException("images of type '" + ending + "' cannot be read from inside other files");
+    }
+
+    /**
      * A loader that asks this one for the endings it knows and another for the rest.
      *
      * @param other the other loader

@@ -15,6 +15,32 @@ public sealed interface LoadedImage {
     int channels();
 
     /**
+     * One channel as a grey image.
+     *
+     * @param index 0 red, 1 green, 2 blue, 3 opacity; red, green and blue of a grey image are its grey, and where there is
+     *     no opacity it is 1
+     */
+    default LoadedImage channel(int index) {
+        int count = channels();
+        int pixels = width() * height();
+        boolean alpha = index == 3;
+        int offset = alpha ? (count % 2 == 0 ? count - 1 : -1) : count < 3 ? 0 : index;
+        if (this instanceof Bytes b) {
+            byte[] out = new byte[pixels];
+            for (int i = 0; i < pixels; i++) {
+                out[i] = offset < 0 ? (byte) 255 : b.samples[count * i + offset];
+            }
+            return new Bytes(width(), height(), 1, out);
+        }
+        Floats f = (Floats) this;
+        float[] out = new float[pixels];
+        for (int i = 0; i < pixels; i++) {
+            out[i] = offset < 0 ? 1 : f.samples[count * i + offset];
+        }
+        return new Floats(width(), height(), 1, out, f.encoded && !alpha);
+    }
+
+    /**
      * An image with 8 bits per channel, as stored: values are encoded by the sRGB transfer function unless the user of the
      * file knows better ("raw").
      */

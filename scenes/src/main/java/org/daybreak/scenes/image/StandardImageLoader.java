@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.awt.image.ComponentColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.Raster;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Iterator;
@@ -41,7 +42,17 @@ public final class StandardImageLoader implements ImageLoader {
 
     @Override
     public LoadedImage load(Path file) throws IOException {
-        try (ImageInputStream stream = ImageIO.createImageInputStream(file.toFile())) {
+        return load(file.toFile());
+    }
+
+    @Override
+    public LoadedImage load(byte[] content, String ending) throws IOException {
+        return load(new ByteArrayInputStream(content));
+    }
+
+    /** Reads from what ImageIO can read from. */
+    private static LoadedImage load(Object source) throws IOException {
+        try (ImageInputStream stream = ImageIO.createImageInputStream(source)) {
             if (stream == null) {
                 throw new IOException("the file cannot be opened");
             }
@@ -85,7 +96,8 @@ public final class StandardImageLoader implements ImageLoader {
                 return new LoadedImage.Floats(width, height, channels, samples, false);
             }
         }
-        return new LoadedImage.Bytes(width, height, 3, packed(image, width, height));
+        int count = image.getColorModel().hasAlpha() ? 4 : 3;
+        return new LoadedImage.Bytes(width, height, count, packed(image, width, height, count));
     }
 
     private static byte[] bytes(Raster raster, int width, int height, int channels) {
@@ -114,8 +126,8 @@ public final class StandardImageLoader implements ImageLoader {
         return samples;
     }
 
-    private static byte[] packed(BufferedImage image, int width, int height) {
-        byte[] samples = new byte[width * height * 3];
+    private static byte[] packed(BufferedImage image, int width, int height, int channels) {
+        byte[] samples = new byte[width * height * channels];
         int[] row = new int[width];
         int i = 0;
         for (int y = 0; y < height; y++) {
@@ -124,6 +136,9 @@ public final class StandardImageLoader implements ImageLoader {
                 samples[i++] = (byte) (argb >> 16);
                 samples[i++] = (byte) (argb >> 8);
                 samples[i++] = (byte) argb;
+                if (channels == 4) {
+                    samples[i++] = (byte) (argb >> 24);
+                }
             }
         }
         return samples;

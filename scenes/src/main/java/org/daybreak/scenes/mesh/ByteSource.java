@@ -137,6 +137,20 @@ final class ByteSource implements Closeable {
         return tokenText();
     }
 
+    /** Reads the rest of the line without the blanks around it, and leaves its end. */
+    String restOfLine() throws IOException {
+        StringBuilder text = new StringBuilder();
+        int b = peek();
+        while (b != '\n' && b != -1) {
+            if (text.length() == LONGEST_TOKEN) {
+                throw new MeshFormatException(line, "a name is longer than " + LONGEST_TOKEN + " characters");
+            }
+            text.append((char) next());
+            b = peek();
+        }
+        return new String(text.toString().strip().getBytes(StandardCharsets.ISO_8859_1), StandardCharsets.UTF_8);
+    }
+
     private String tokenText() {
         return new String(buffer, tokenStart, tokenEnd - tokenStart, StandardCharsets.ISO_8859_1);
     }

@@ -3,14 +3,17 @@ package org.daybreak.scenes.mesh;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Set;
+import org.daybreak.core.color.ColorSpaces;
 import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.core.render.NearestName;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Reads Wavefront OBJ files: {@code v}, {@code vt}, {@code vn} and {@code f} in all forms, negative indices, lines joined by
- * a backslash. All groups become one mesh; polygons are cut into fans. Vertices are shared where position, texture
+ * a backslash. All groups become one mesh, or those of each material one; polygons are cut into fans. Vertices are shared where position, texture
  * coordinate and normal are. Materials, smoothing groups, points and lines are passed over.
  *
  * <p>If only some corners have a normal, the others get the angle-weighted mean of their triangles; corners without texture
@@ -22,7 +25,6 @@ public final class ObjReader {
             "o",
             "s",
             "mg",
-            "usemtl",
             "mtllib",
             "usemap",
             "maplib",
@@ -44,18 +46,33 @@ public final class ObjReader {
     private final FloatList positions = new FloatList();
     private final FloatList texCoords = new FloatList();
     private final FloatList normals = new FloatList();
-    private final IntList triangles = new IntList();
+    /** Linear colours of the positions; empty unless some position has one. */
+    private final FloatList colors = new FloatList();
 
-    /** Position, texture coordinate and normal of each vertex of the mesh, the last two -1 if there is none. */
-    private final TripleTable vertices = new TripleTable();
+    private final float[] extra = new float[4];
+    /** The faces by material; a single entry with the name "" unless they are to be told apart. */
+    private final Map<String, Part> parts = new LinkedHashMap<>();
 
-    private boolean hasTexCoords;
-    private boolean hasNormals;
-    private boolean lacksNormals;
+    private final boolean split;
+    private Part part = new Part();
 
-    private ObjReader(ByteSource source, boolean flipTexCoords) {
+    private ObjReader(ByteSource source, boolean flipTexCoords, boolean split) {
         this.source = source;
         this.flipTexCoords = flipTexCoords;
+        this.split = split;
+        parts.put("", part);
+    }
+
+    /** Faces that become one mesh. */
+    private static final class Part {
+        final IntList triangles = new IntList();
+
+        /** Position, texture coordinate and normal of each vertex of the mesh, the last two -1 if there is none. */
+        final TripleTable vertices = new TripleTable();
+
+        boolean hasTexCoords;
+        boolean hasNormals;
+        boolean lacksNormals;
     }
 
     /**
@@ -68,11 +85,26 @@ public final class ObjReader {
      */
     public static TriangleMesh read(Path file, boolean flipTexCoords) throws IOException {
         try (ByteSource source = new ByteSource(Files.newInputStream(file))) {
-            return new ObjReader(source, flipTexCoords).read();
+            Map<String, TriangleMesh> meshes = new ObjReader(source, flipTexCoords, false).read();
+            return meshes.values().iterator().next();
         }
     }
 
-    private TriangleMesh read() throws IOException {
+    /**
+     * Reads a file into one mesh for each material.
+     *
+     * @param flipTexCoords as for {@link #read}
+     * @return the meshes by the names that {@code usemtl} gives, in their order; under "" what comes before the first
+     * @throws MeshFormatException with the line, if the file breaks the format's rules or has no faces
+     * @throws IOException if the file cannot be read
+     */
+    public static Map<String, TriangleMesh> readByMaterial(Path file, boolean flipTexCoords) throws IOException {
+        try (ByteSource source = new ByteSource(Files.newInputStream(file))) {
+            return new ObjReader(source, flipTexCoords, true).read();
+        }
+    }
+
+    private Map<String, TriangleMesh> read() throws IOException {
         while (source.peek() != -1) {
             int first = source.skipBlanks();
             if (first != '\n' && first != '#' && first != -1) {
@@ -80,10 +112,16 @@ public final class ObjReader {
             }
             source.skipLine();
         }
-        if (triangles.size() == 0) {
+        Map<String, TriangleMesh> meshes = new LinkedHashMap<>();
+        for (Map.Entry<String, Part> entry : parts.entrySet()) {
+            if (entry.getValue().triangles.size() > 0) {
+                meshes.put(entry.getKey(), mesh(entry.getValue()));
+            }
+        }
+        if (meshes.isEmpty()) {
             throw new MeshFormatException(0, "the file has no faces");
         }
-        return mesh();
+        return meshes;
     }
 
     private void readStatement() throws IOException {
@@ -93,6 +131,7 @@ public final class ObjReader {
                 positions.add(coordinate("x of a vertex"));
                 positions.add(coordinate("y of a vertex"));
                 positions.add(coordinate("z of a vertex"));
+                readColor();
             }
             case "vt" -> {
                 texCoords.add(coordinate("u of a texture coordinate"));
@@ -106,6 +145,12 @@ public final class ObjReader {
                 normals.add(coordinate("z of a normal"));
             }
             case "f" -> readFace();
+            case "usemtl" -> {
+                if (split) {
+                    source.skipBlanks();
+                    part = parts.computeIfAbsent(source.restOfLine(), name -> new Part());
+                }
+            }
             default -> {
                 if (FREE_FORM.contains(keyword)) {
                     throw new MeshFormatException(
@@ -116,6 +161,29 @@ public final class ObjReader {
                             source.line(), "unknown statement '" + keyword + "'" + NearestName.hint(keyword, KNOWN));
                 }
             }
+        }
+    }
+
+    /**
+     * Reads what may follow a position: its weight, which only matters to free forms, or a colour, which programs write as sRGB.
+     * Vertices without are white.
+     */
+    private void readColor() throws IOException {
+        int count = 0;
+        int next = source.skipBlanks();
+        while (count < 4 && next != '\n' && next != -1 && next != '#') {
+            extra[count++] = source.single("a number after a vertex", -1);
+            next = source.skipBlanks();
+        }
+        if (count != 3 && colors.size() == 0) {
+            return;
+        }
+        while (colors.size() < positions.size() - 3) {
+            colors.add(1);
+        }
+        for (int i = 0; i < 3; i++) {
+            double value = count == 3 ? Math.max(0, Math.min(1, extra[i])) : 1;
+            colors.add((float) ColorSpaces.srgbToLinear(value));
         }
     }
 
@@ -134,9 +202,9 @@ public final class ObjReader {
             if (corners == 0) {
                 fan = vertex;
             } else if (corners >= 2) {
-                triangles.add(fan);
-                triangles.add(previous);
-                triangles.add(vertex);
+                part.triangles.add(fan);
+                part.triangles.add(previous);
+                part.triangles.add(vertex);
             }
             previous = vertex;
             corners++;
@@ -161,10 +229,10 @@ public final class ObjReader {
                 normal = index("normal", normals.size() / 3);
             }
         }
-        hasTexCoords |= texCoord >= 0;
-        hasNormals |= normal >= 0;
-        lacksNormals |= normal < 0;
-        return vertices.number(position, texCoord, normal);
+        part.hasTexCoords |= texCoord >= 0;
+        part.hasNormals |= normal >= 0;
+        part.lacksNormals |= normal < 0;
+        return part.vertices.number(position, texCoord, normal);
     }
 
     /** Reads an index, which counts from 1, or backwards from the last element if it is negative. */
@@ -178,11 +246,12 @@ public final class ObjReader {
         return (int) index;
     }
 
-    private TriangleMesh mesh() {
+    private TriangleMesh mesh(Part faces) {
+        TripleTable vertices = faces.vertices;
         int count = vertices.size();
         float[] p = new float[3 * count];
-        float @Nullable [] uv = hasTexCoords ? new float[2 * count] : null;
-        float @Nullable [] n = hasNormals ? new float[3 * count] : null;
+        float @Nullable [] uv = faces.hasTexCoords ? new float[2 * count] : null;
+        float @Nullable [] n = faces.hasNormals ? new float[3 * count] : null;
         for (int i = 0; i < count; i++) {
             copy(positions, vertices.get(i, 0), 3, p, i);
             if (uv != null) {
@@ -192,8 +261,12 @@ public final class ObjReader {
                 copy(normals, vertices.get(i, 2), 3, n, i);
             }
         }
-        int[] t = triangles.toArray();
-        if (n != null && lacksNormals) {
+        float @Nullable [] c = colors.size() == 0 ? null : new float[3 * count];
+        for (int i = 0; c != null && i < count; i++) {
+            copy(colors, vertices.get(i, 0), 3, c, i);
+        }
+        int[] t = faces.triangles.toArray();
+        if (n != null && faces.lacksNormals) {
             float[] computed = VertexNormals.angleWeighted(p, t);
             for (int i = 0; i < count; i++) {
                 if (vertices.get(i, 2) < 0) {
@@ -201,7 +274,7 @@ public final class ObjReader {
                 }
             }
         }
-        return new TriangleMesh(p, t, n, uv);
+        return new TriangleMesh(p, t, n, uv, null, c);
     }
 
     private static void copy(FloatList from, int element, int stride, float[] to, int index) {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.daybreak.core.color.ColorSpaces;
 import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.scenes.mesh.PlyHeader.Element;
 import org.daybreak.scenes.mesh.PlyHeader.Encoding;
@@ -11,12 +12,14 @@ import org.daybreak.scenes.mesh.PlyHeader.Property;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads PLY files, ASCII and binary of both byte orders: positions, normals ({@code nx ny nz}) and texture coordinates
- * ({@code u v}, {@code s t} or {@code texture_u texture_v}) of the vertices and the list {@code vertex_indices} (or
- * {@code vertex_index}) of the faces. Polygons are cut into fans. Other elements and properties are passed over.
+ * Reads PLY files, ASCII and binary of both byte orders: positions, normals ({@code nx ny nz}), texture coordinates
+ * ({@code u v}, {@code s t} or {@code texture_u texture_v}) and colours ({@code red green blue}; whole numbers in sRGB,
+ * others linear) of the vertices and the list {@code vertex_indices} (or
+ * {@code vertex_index}) of the faces. Polygons are cut into fans. Triangle strips are the
+ * element {@code tristrips}. Other elements and properties are passed over.
  */
 public final class PlyReader {
-    /** Where a vertex property goes: 0–2 position, 3–5 normal, 6–7 texture coordinates. */
+    /** Where a vertex property goes: 0–2 position, 3–5 normal, 6–7 texture coordinates, 8–10 colour. */
     private static final List<List<String>> TARGETS = List.of(
             List.of("x"),
             List.of("y"),
@@ -25,9 +28,14 @@ public final class PlyReader {
             List.of("ny"),
             List.of("nz"),
             List.of("u", "s", "texture_u", "texture_s"),
-            List.of("v", "t", "texture_v", "texture_t"));
+            List.of("v", "t", "texture_v", "texture_t"),
+            List.of("red", "r", "diffuse_red", "vertex_color_r", "color_r"),
+            List.of("green", "g", "diffuse_green", "vertex_color_g", "color_g"),
+            List.of("blue", "b", "diffuse_blue", "vertex_color_b", "color_b"));
 
-    private static final List<String> NAMES = List.of("x", "y", "z", "nx", "ny", "nz", "u", "v");
+    private static final List<String> NAMES =
+            List.of("x", "y", "z", "nx", "ny", "nz", "u", "v", "red", "green", "blue");
+    private static final List<String> VERTEX_LISTS = List.of("vertex_indices", "vertex_index");
     private static final List<String> LABELS =
             NAMES.stream().map(name -> name + " of vertex ").toList();
 
@@ -40,6 +48,7 @@ public final class PlyReader {
     private float @Nullable [] positions;
     private float @Nullable [] normals;
     private float @Nullable [] texCoords;
+    private float @Nullable [] colors;
     private boolean hasFaces;
 
     private PlyReader(ByteSource source, long fileSize, boolean flipTexCoords) {
@@ -71,7 +80,7 @@ public final class PlyReader {
             switch (element.name()) {
                 case "vertex" -> readVertices(element);
                 case "face" -> readFaces(element);
-                case "tristrips" -> throw new MeshFormatException(element.line(), "triangle strips are not supported");
+                case "tristrips" -> readStrips(element);
                 default -> skip(element);
             }
         }
@@ -84,7 +93,7 @@ public final class PlyReader {
         }
         int[] t = triangles.toArray();
         checkIndices(t, p.length / 3);
-        return new TriangleMesh(p, t, normals, texCoords);
+        return new TriangleMesh(p, t, normals, texCoords, null, colors);
     }
 
     /** Refuses counts that the file is too short for before anything is allocated for them. */
@@ -130,6 +139,7 @@ public final class PlyReader {
         float[] p = new float[3 * count];
         float @Nullable [] n = present[3] && present[4] && present[5] ? new float[3 * count] : null;
         float @Nullable [] uv = present[6] && present[7] ? new float[2 * count] : null;
+        float @Nullable [] rgb = present[8] && present[9] && present[10] ? new float[3 * count] : null;
         for (int vertex = 0; vertex < count; vertex++) {
             for (int i = 0; i < targets.length; i++) {
                 int target = targets[i];
@@ -143,8 +153,12 @@ public final class PlyReader {
                         if (n != null) {
                             n[3 * vertex + target - 3] = value;
                         }
-                    } else if (uv != null) {
-                        uv[2 * vertex + target - 6] = target == 7 && flipTexCoords ? 1 - value : value;
+                    } else if (target < 8) {
+                        if (uv != null) {
+                            uv[2 * vertex + target - 6] = target == 7 && flipTexCoords ? 1 - value : value;
+                        }
+                    } else if (rgb != null) {
+                        rgb[3 * vertex + target - 8] = linear(properties.get(i).type(), value);
                     }
                 }
             }
@@ -152,6 +166,19 @@ public final class PlyReader {
         positions = p;
         normals = n;
         texCoords = uv;
+        colors = rgb;
+    }
+
+    /** Linear value of a colour: whole numbers are encoded by the sRGB curve, of which the largest is 1; others are linear. */
+    private static float linear(PlyType type, float value) {
+        double largest = switch (type) {
+            case UINT8, INT8 -> 255;
+            case UINT16, INT16 -> 65_535;
+            case UINT32, INT32 -> 255;
+            case FLOAT32, FLOAT64 -> 0;
+        };
+        double inside = Math.max(0, Math.min(1, largest == 0 ? value : value / largest));
+        return (float) (largest == 0 ? inside : ColorSpaces.srgbToLinear(inside));
     }
 
     private static int target(String name) {
@@ -182,7 +209,7 @@ public final class PlyReader {
         int indices = -1;
         for (int i = 0; i < properties.size(); i++) {
             Property p = properties.get(i);
-            if (p.isList() && (p.name().equals("vertex_indices") || p.name().equals("vertex_index"))) {
+            if (p.isList() && VERTEX_LISTS.contains(p.name())) {
                 indices = i;
             }
         }
@@ -221,8 +248,50 @@ public final class PlyReader {
         }
     }
 
+    /** Reads triangle strips: one list of vertices, in which −1 ends a strip; every other triangle is turned. */
+    private void readStrips(Element element) throws IOException {
+        hasFaces = true;
+        for (long i = 0; i < element.count(); i++) {
+            for (Property p : element.properties()) {
+                if (p.isList() && p.type().isInteger() && VERTEX_LISTS.contains(p.name())) {
+                    readStrip(p, i);
+                } else {
+                    skip(p);
+                }
+            }
+        }
+    }
+
+    private void readStrip(Property list, long number) throws IOException {
+        long count = whole(list.countType(), "the length of a strip");
+        int first = -1;
+        int second = -1;
+        boolean turned = false;
+        for (long i = 0; i < count; i++) {
+            long value = whole(list.type(), "a vertex index");
+            if (value == -1) {
+                first = -1;
+                second = -1;
+                turned = false;
+                continue;
+            }
+            int vertex = checked(value, number);
+            if (first >= 0) {
+                triangles.add(turned ? second : first);
+                triangles.add(turned ? first : second);
+                triangles.add(vertex);
+                turned = !turned;
+            }
+            first = second;
+            second = vertex;
+        }
+    }
+
     private int index(Property list, long face) throws IOException {
-        long index = whole(list.type(), "a vertex index");
+        return checked(whole(list.type(), "a vertex index"), face);
+    }
+
+    private int checked(long index, long face) throws MeshFormatException {
         float[] p = positions;
         // Faces may come before the vertices; then the check follows at the end.
         if (index < 0 || index > Integer.MAX_VALUE || (p != null && index >= p.length / 3)) {

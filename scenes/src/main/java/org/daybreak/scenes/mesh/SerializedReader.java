@@ -147,8 +147,9 @@ public final class SerializedReader {
         float @Nullable [] normals = (flags & NORMALS) == 0 ? null : reals(3 * count, wide, "normal");
         float @Nullable [] uvs =
                 (flags & TEXTURE_COORDINATES) == 0 ? null : reals(2 * count, wide, "texture coordinate");
-        if ((flags & COLORS) != 0) {
-            reals(3 * count, wide, "colour");
+        float @Nullable [] colors = (flags & COLORS) == 0 ? null : reals(3 * count, wide, "colour");
+        for (int i = 0; colors != null && i < colors.length; i++) {
+            colors[i] = Math.max(0, Math.min(1, colors[i]));
         }
         int[] triangles = new int[3 * (int) faces];
         for (int i = 0; i < triangles.length; i++) {
@@ -162,7 +163,7 @@ public final class SerializedReader {
             triangles[i] = vertex;
         }
         boolean flat = (flags & FLAT) != 0;
-        return new Mesh(new TriangleMesh(positions, triangles, flat ? null : normals, uvs), flat, name);
+        return new Mesh(new TriangleMesh(positions, triangles, flat ? null : normals, uvs, null, colors), flat, name);
     }
 
     private String name() throws IOException {

@@ -27,7 +27,13 @@ public final class ZeroAreaTriangles {
         }
         return kept == all
                 ? mesh
-                : new TriangleMesh(mesh.positions(), Arrays.copyOf(kept, size), mesh.normals(), mesh.uvs());
+                : new TriangleMesh(
+                        mesh.positions(),
+                        Arrays.copyOf(kept, size),
+                        mesh.normals(),
+                        mesh.uvs(),
+                        mesh.secondUvs(),
+                        mesh.colors());
     }
 
     private static boolean hasArea(float[] p, int a, int b, int c) {

@@ -36,8 +36,22 @@ final class OldDialect {
             "irrcache");
 
     private static final Set<String> PATH_PROPERTIES = Set.of("max_depth", "rr_depth", "hide_emitters");
-    private static final Set<String> FILM_PROPERTIES =
-            Set.of("width", "height", "crop_offset_x", "crop_offset_y", "crop_width", "crop_height", "");
+    private static final String[] FILM_OUTPUT = {
+        "file_format",
+        "pixel_format",
+        "component_format",
+        "attach_log",
+        "banner",
+        "high_quality_edges",
+        "gamma",
+        "exposure",
+        "tonemap_method",
+        "key",
+        "burn",
+        "alpha",
+        "digits",
+        "variable"
+    };
 
     private static final List<String> SIGNS =
             List.of("\"toWorld\"", "'toWorld'", "\"sampleCount\"", "\"maxDepth\"", "<luminaire", "<camera");
@@ -64,7 +78,7 @@ final class OldDialect {
             case FILM -> film(e);
             case RFILTER -> filter(e);
             case SAMPLER -> sampler(e);
-            case SHAPE -> e.remove("collapse", "srgb");
+            case SHAPE -> shape(e);
             case BSDF -> OldMaterials.translate(e);
             case TEXTURE -> texture(e);
             case EMITTER -> emitter(e);
@@ -89,14 +103,24 @@ final class OldDialect {
         return result.toString().toLowerCase(Locale.ROOT).replace("__", "_");
     }
 
+    private static void shape(ObjectEditor e) {
+        e.remove("collapse", "srgb");
+        if (e.has("max_smooth_angle")) {
+            e.warn("max_smooth_angle", "'maxSmoothAngle' has no effect");
+            e.remove("max_smooth_angle");
+        }
+        if (e.type().equals("heightfield") && e.has("shading_normals")) {
+            e.put("face_normals", new Value.Switch(!e.isTrue("shading_normals")));
+            e.remove("shading_normals");
+        }
+    }
+
     private static void integrator(ObjectEditor e) {
         if (e.isTrue("strict_normals")) {
             e.warn("strict_normals", "'strictNormals' has no effect");
         }
         e.remove("strict_normals");
-        if (e.type().equals("path")) {
-            e.retain(PATH_PROPERTIES);
-        } else if (GLOBAL.contains(e.type())) {
+        if (GLOBAL.contains(e.type())) {
             ObjectDescription nested = e.nested(ObjectKind.INTEGRATOR);
             e.warn("", "the integrator '" + e.type() + "' is replaced by 'path'");
             if (nested != null) {
@@ -104,10 +128,6 @@ final class OldDialect {
             }
             e.setType("path");
             e.retain(PATH_PROPERTIES);
-        }
-        // Before 0.5, and in files by hand, 0 stood for no limit of its own.
-        if (e.number("max_depth", 1) == 0) {
-            e.remove("max_depth");
         }
     }
 
@@ -133,7 +153,8 @@ final class OldDialect {
             }
             e.setType("hdrfilm");
         }
-        e.retain(FILM_PROPERTIES);
+        // How images are written is a matter of the command line.
+        e.remove(FILM_OUTPUT);
     }
 
     private static void filter(ObjectEditor e) {

@@ -42,6 +42,11 @@ final class OldMaterials {
             default -> {}
         }
         distribution(e);
+        // No roughness at all was allowed.
+        if (e.type().startsWith("rough") && e.has("alpha") && e.number("alpha", 1) == 0) {
+            e.setType(e.type().substring("rough".length()));
+            e.remove("alpha", "distribution", "sample_visible");
+        }
     }
 
     /** The default metal was copper, and the surroundings could have a refractive index. */

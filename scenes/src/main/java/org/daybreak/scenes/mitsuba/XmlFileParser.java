@@ -27,16 +27,6 @@ import org.jspecify.annotations.Nullable;
 /** Parses one XML file. */
 final class XmlFileParser {
     private static final int ELEMENT_DEPTH = 64;
-    private static final Set<String> ELEMENTS = elements();
-
-    /** Elements of Mitsuba that stand for what cannot be rendered. */
-    private static final Map<String, String> UNSUPPORTED = Map.of(
-            "medium", "participating media",
-            "phase", "participating media",
-            "volume", "participating media",
-            "subsurface", "subsurface scattering models",
-            "animation", "moving objects");
-
     private final MitsubaReader reader;
     private final ProblemList problems;
     private final Path file;
@@ -68,32 +58,6 @@ final class XmlFileParser {
         factory.setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false);
         // A byte order mark has gone with the decoding, and the declared encoding no longer matters.
         return factory.createXMLStreamReader(new StringReader(text));
-    }
-
-    private static Set<String> elements() {
-        TreeSet<String> names = new TreeSet<>(List.of(
-                "boolean",
-                "integer",
-                "float",
-                "string",
-                "point",
-                "vector",
-                "rgb",
-                "srgb",
-                "spectrum",
-                "blackbody",
-                "transform",
-                "ref",
-                "include",
-                "default",
-                "alias",
-                "path"));
-        for (ObjectKind kind : ObjectKind.values()) {
-            if (kind != ObjectKind.SCENE) {
-                names.add(kind.element());
-            }
-        }
-        return names;
     }
 
     /**
@@ -411,7 +375,7 @@ final class XmlFileParser {
             }
             case "point", "vector" -> {
                 if (check(element, attributes, location, List.of("name"), List.of("value", "x", "y", "z"))) {
-                    add(properties, attributes, location, () -> triple(element, attributes));
+                    add(properties, attributes, location, () -> Coordinates.triple(element, attributes));
                 }
             }
             case "ref" -> {
@@ -447,10 +411,11 @@ final class XmlFileParser {
             case "translate", "rotate", "scale", "lookat", "lookAt", "matrix" ->
                 problems.error(location, "<" + element + "> can only stand in <transform>");
             default -> {
-                if (UNSUPPORTED.containsKey(element)) {
-                    problems.error(location, "<" + element + ">: " + UNSUPPORTED.get(element) + " are not supported");
+                if (Elements.UNSUPPORTED.containsKey(element)) {
+                    problems.error(
+                            location, "<" + element + ">: " + Elements.UNSUPPORTED.get(element) + " are not supported");
                 } else {
-                    problems.unknownName(location, "unknown element <" + element + ">", element, ELEMENTS);
+                    problems.unknownName(location, "unknown element <" + element + ">", element, Elements.KNOWN);
                 }
                 skip(false);
                 return;
@@ -525,41 +490,6 @@ final class XmlFileParser {
         };
     }
 
-    private static Value triple(String element, Map<String, String> attributes) throws FormatException {
-        if (!attributes.containsKey("value")
-                && !(attributes.containsKey("x") && attributes.containsKey("y") && attributes.containsKey("z"))) {
-            throw new FormatException("<" + element + "> needs the attribute 'value' or 'x', 'y' and 'z'");
-        }
-        double[] xyz = coordinates(attributes, 0);
-        return new Value.Triple(xyz[0], xyz[1], xyz[2]);
-    }
-
-    /** Three numbers from x, y, z, or from one or three in value. */
-    private static double[] coordinates(Map<String, String> attributes, double missing) throws FormatException {
-        String value = attributes.get("value");
-        if (value != null) {
-            if (attributes.containsKey("x") || attributes.containsKey("y") || attributes.containsKey("z")) {
-                throw new FormatException("either 'value' or 'x', 'y' and 'z' can be given, not both");
-            }
-            double[] values = Numbers.list(value);
-            if (values.length == 1) {
-                return new double[] {values[0], values[0], values[0]};
-            }
-            if (values.length != 3) {
-                throw new FormatException("'" + Numbers.shortened(value) + "' must be one or three numbers");
-            }
-            return values;
-        }
-        double[] xyz = {missing, missing, missing};
-        for (int i = 0; i < 3; i++) {
-            String coordinate = attributes.get("xyz".substring(i, i + 1));
-            if (coordinate != null) {
-                xyz[i] = Numbers.real(coordinate);
-            }
-        }
-        return xyz;
-    }
-
     /** Reads a transform; its parts apply in their order, so each new one multiplies from the left. */
     private void readTransform(
             Map<String, String> attributes, SourceLocation location, List<PropertyDescription> properties)
@@ -602,17 +532,17 @@ final class XmlFileParser {
         switch (element) {
             case "translate" -> {
                 check(element, a, location, List.of(), coordinates);
-                double[] t = coordinates(a, 0);
+                double[] t = Coordinates.of(a, 0);
                 return Transforms.translation(t[0], t[1], t[2]);
             }
             case "scale" -> {
                 check(element, a, location, List.of(), coordinates);
-                double[] s = coordinates(a, 1);
+                double[] s = Coordinates.of(a, 1);
                 return Transforms.scaling(s[0], s[1], s[2]);
             }
             case "rotate" -> {
                 requirePart(element, a, location, List.of("angle"), coordinates);
-                double[] axis = coordinates(a, 0);
+                double[] axis = Coordinates.of(a, 0);
                 return Transforms.rotation(axis[0], axis[1], axis[2], Numbers.real(a.getOrDefault("angle", "")));
             }
             case "lookat", "lookAt" -> {

@@ -1,16 +1,22 @@
 package org.daybreak.scenes.model;
 
+import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import org.daybreak.core.render.NearestName;
 import org.daybreak.scenes.description.ObjectDescription;
 import org.daybreak.scenes.description.ObjectKind;
+import org.daybreak.scenes.description.ProblemList;
 import org.daybreak.scenes.description.PropertyDescription;
 import org.daybreak.scenes.description.SceneDescription;
 import org.daybreak.scenes.description.SourceLocation;
 import org.daybreak.scenes.description.Value;
+import org.jspecify.annotations.Nullable;
 
 /** Describes the content of a mesh file as a scene of the type {@value #MODEL}, which needs no camera. */
 public final class ModelReader {
@@ -36,22 +42,68 @@ public final class ModelReader {
         return name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
     }
 
-    /** Describes a file. Nothing is read before the description is built. */
-    public static SceneDescription read(Path file) {
+    /**
+     * Describes a file. Of the mesh itself only the names of materials are read.
+     *
+     * @param problems receives errors and warnings about material files
+     */
+    public static SceneDescription read(Path file, ProblemList problems) {
+        List<ObjectDescription> shapes = ending(file).equals("obj") ? objShapes(file, problems) : List.of();
+        if (shapes.isEmpty()) {
+            shapes = List.of(shape(file, null, List.of()));
+        }
         SourceLocation location = SourceLocation.of(file);
-        String name = String.valueOf(file.getFileName());
-        ObjectDescription shape = new ObjectDescription(
+        List<PropertyDescription> content = new ArrayList<>();
+        for (ObjectDescription shape : shapes) {
+            content.add(new PropertyDescription("", new Value.Nested(shape), location));
+        }
+        ObjectDescription root = new ObjectDescription(ObjectKind.SCENE, MODEL, null, location, content);
+        return new SceneDescription(file, root, Map.of(), List.of());
+    }
+
+    private static ObjectDescription shape(Path file, @Nullable String material, List<PropertyDescription> more) {
+        SourceLocation location = SourceLocation.of(file);
+        List<PropertyDescription> properties = new ArrayList<>(more);
+        properties.add(
+                new PropertyDescription("filename", new Value.Text(String.valueOf(file.getFileName())), location));
+        if (material != null) {
+            properties.add(new PropertyDescription("material", new Value.Text(material), location));
+        }
+        return new ObjectDescription(
                 ObjectKind.SHAPE,
                 ending(file),
-                null,
+                material == null || material.isEmpty() ? null : material,
                 location,
-                List.of(new PropertyDescription("filename", new Value.Text(name), location)));
-        ObjectDescription root = new ObjectDescription(
-                ObjectKind.SCENE,
-                MODEL,
-                null,
-                location,
-                List.of(new PropertyDescription("", new Value.Nested(shape), location)));
-        return new SceneDescription(file, root, Map.of(), List.of());
+                properties);
+    }
+
+    /** One shape for each material; none if the file uses no materials or cannot be read, which is reported elsewhere. */
+    private static List<ObjectDescription> objShapes(Path file, ProblemList problems) {
+        ObjMaterials used;
+        try {
+            used = ObjMaterials.of(file);
+        } catch (IOException e) {
+            return List.of();
+        }
+        if (used.names().isEmpty() || (used.names().size() == 1 && used.names().contains(""))) {
+            return List.of();
+        }
+        Map<String, MtlMaterial> materials = new HashMap<>();
+        for (String library : used.libraries()) {
+            for (MtlMaterial material : MtlReader.read(file, library, problems)) {
+                materials.putIfAbsent(material.name(), material);
+            }
+        }
+        List<ObjectDescription> shapes = new ArrayList<>();
+        for (String name : used.names()) {
+            MtlMaterial material = materials.get(name);
+            if (material == null && !name.isEmpty()) {
+                problems.warning(
+                        SourceLocation.of(file),
+                        "no material file defines '" + name + "'" + NearestName.hint(name, materials.keySet()));
+            }
+            shapes.add(shape(file, name, material == null ? List.of() : material.describe(problems)));
+        }
+        return shapes;
     }
 }

@@ -20,7 +20,6 @@ import org.daybreak.core.scene.LightNode;
 import org.daybreak.core.scene.LightSource;
 import org.daybreak.core.scene.Node;
 import org.daybreak.core.scene.SceneGraph;
-import org.daybreak.core.scene.ShapeNode;
 
 /**
  * Gives a scene the view and the light that its file leaves out.
@@ -67,7 +66,8 @@ public final class AutoView {
     }
 
     /**
-     * Adds what the scene lacks of film (960×720), camera and light. What is there stays as it is.
+     * Adds what the scene lacks of film (960×720), camera and light. What is there stays as it is. Shapes that emit do not
+     * count as light: in models they are displays and lamps that glow, and would leave the rest dark.
      *
      * @param graph the scene
      * @param up which axis of the model points up; matters only if there is no camera
@@ -188,7 +188,6 @@ public final class AutoView {
         }
         for (Node child : group.children()) {
             if (child instanceof LightNode
-                    || (child instanceof ShapeNode shape && shape.radiance() != null)
                     || (child instanceof Group inner && hasLight(inner, visited))
                     || (child instanceof Instance instance && hasLight(instance.prototype(), visited))) {
                 return true;

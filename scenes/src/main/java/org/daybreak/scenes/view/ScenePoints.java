@@ -1,6 +1,7 @@
 package org.daybreak.scenes.view;
 
 import java.util.IdentityHashMap;
+import org.daybreak.core.geometry.Cone;
 import org.daybreak.core.geometry.Cube;
 import org.daybreak.core.geometry.Cylinder;
 import org.daybreak.core.geometry.Disk;
@@ -88,6 +89,9 @@ final class ScenePoints {
         } else if (shape instanceof Cylinder cylinder) {
             ball(box, cylinder.from(), cylinder.radius());
             ball(box, cylinder.to(), cylinder.radius());
+        } else if (shape instanceof Cone cone) {
+            ball(box, cone.from(), cone.fromRadius());
+            ball(box, cone.to(), cone.toRadius());
         } else if (shape instanceof Rectangle || shape instanceof Disk) {
             box.include(-1, -1, 0);
             box.include(1, 1, 0);

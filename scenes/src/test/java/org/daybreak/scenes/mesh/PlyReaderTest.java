@@ -173,7 +173,10 @@ class PlyReaderTest {
                         7,
                         "no list 'vertex_indices'"),
                 arguments(HEADER.replace("uchar int", "uchar float") + VERTICES + "3 0 1 2\n", 7, "integer type"),
-                arguments(HEADER.replace("element face", "element tristrips") + VERTICES + "3 0 1 2\n", 7, "strips"),
+                arguments(
+                        HEADER.replace("element face", "element tristrips") + VERTICES + "3 0 1 9\n",
+                        14,
+                        "refers to vertex 9"),
                 arguments(
                         HEADER + "0 0 0\n1 nan 0\n1 1 0\n0 1 0\n3 0 1 2\n",
                         11,

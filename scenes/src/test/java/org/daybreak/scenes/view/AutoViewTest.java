@@ -149,11 +149,16 @@ class AutoViewTest {
         graph.root()
                 .add(new ShapeNode(new Sphere(new Point3d(), 1), AutoView.neutralMaterial()))
                 .setRadiance(org.daybreak.core.material.ConstantTexture.grey(1));
+        Group lit = graph.root().add(new Group());
+        lit.add(new LightNode(new LightSource.Point(new javax.vecmath.Color3f(1, 1, 1))));
         CameraSettings camera = new CameraSettings(Transform.translate(0, 0, -9).toMatrix4d(), 20);
         graph.setCamera(camera);
         AutoView.complete(graph, UpAxis.Y);
         assertSame(camera, graph.camera());
-        assertEquals(1, graph.root().children().size());
+        assertEquals(2, graph.root().children().size());
+        lit.remove(lit.children().get(0));
+        AutoView.complete(graph, UpAxis.Y);
+        assertEquals(3, graph.root().children().size(), "a shape that glows does not light the scene");
     }
 
     @Test
