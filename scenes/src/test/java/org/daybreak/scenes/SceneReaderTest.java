@@ -287,7 +287,8 @@ class SceneReaderTest {
                     folder,
                     "camera.xml",
                     "<scene version='3.0.0'>" + "<sensor type='" + row[0] + "'>" + row[1]
-                            + "<film type='hdrfilm'><boolean name='filter_sampling' value='true'/><rfilter type='" + row[2]
+                            + "<film type='hdrfilm'><boolean name='filter_sampling' value='true'/><rfilter type='"
+                            + row[2]
                             + "'/></film></sensor>" + "</scene>");
             SceneFile scene = new SceneReader(new StandardImageLoader()).load(file, Map.of());
             CameraSettings camera = Objects.requireNonNull(scene.graph().camera());

@@ -114,7 +114,8 @@ public final class SpotLight implements Light {
         Spectrum value = new Spectrum();
         SurfacePoint point = new SurfacePoint();
         for (int i = 0; i < steps * steps; i++) {
-            Warps.toUniformCone((i % steps + 0.5) / steps, (Math.floorDiv(i, steps) + 0.5) / steps, oneMinusCosCutoff, local);
+            Warps.toUniformCone(
+                    (i % steps + 0.5) / steps, (Math.floorDiv(i, steps) + 0.5) / steps, oneMinusCosCutoff, local);
             double falloff = falloff(local[2]);
             EmissionDirections.around(axisX, axisY, axisZ, local);
             value.set(intensity);
