@@ -277,8 +277,6 @@ class SceneReaderTest {
 
     @Test
     void readsOtherCamerasAndFilters() throws IOException, SceneException {
-        String sensor = "<sensor type='%s'>%s<film type='hdrfilm'><boolean name='filter_sampling' value='true'/>"
-                + "<rfilter type='%s'/></film></sensor>";
         for (String[] row : new String[][] {
             {"orthographic", "<float name='pixel_aspect' value='2'/>", "lanczos", "ORTHOGRAPHIC", "LANCZOS"},
             {"environment", "", "blackmanharris", "ENVIRONMENT", "BLACKMAN_HARRIS"},
@@ -288,7 +286,10 @@ class SceneReaderTest {
             Path file = SceneTexts.write(
                     folder,
                     "camera.xml",
-                    "<scene version='3.0.0'>" + String.format(sensor, row[0], row[1], row[2]) + "</scene>");
+                    "<scene version='3.0.0'><sensor type='" + row[0] + "'>" + row[1]
+                            + "<film type='hdrfilm'><boolean name='filter_sampling' value='true'/><rfilter type='"
+                            + row[2]
+                            + "'/></film></sensor></scene>");
             SceneFile scene = new SceneReader(new StandardImageLoader()).load(file, Map.of());
             CameraSettings camera = Objects.requireNonNull(scene.graph().camera());
             assertEquals(row[3], camera.projection().name());

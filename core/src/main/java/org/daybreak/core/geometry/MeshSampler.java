@@ -104,7 +104,7 @@ final class MeshSampler implements SurfaceSampler {
             int steps = steps(i, brightness.detail());
             double sum = 0;
             for (int k = 0; k < steps * steps; k++) {
-                Warps.toTriangle((k % steps + 0.5) / steps, (k / steps + 0.5) / steps, work);
+                Warps.toTriangle((k % steps + 0.5) / steps, (Math.floorDiv(k, steps) + 0.5) / steps, work);
                 double b0 = 1 - work[0] - work[1];
                 sum += brightness.at(
                         textureCoordinate(i, 0, b0, work[0], work[1]), textureCoordinate(i, 1, b0, work[0], work[1]));

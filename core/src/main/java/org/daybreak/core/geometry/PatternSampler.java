@@ -29,7 +29,8 @@ final class PatternSampler implements SurfaceSampler {
                 double cell = 0;
                 for (int i = 0; i < STEPS * STEPS; i++) {
                     cell += brightness.at(
-                            (column + (i % STEPS + 0.5) / STEPS) / cells, (row + (i / STEPS + 0.5) / STEPS) / cells);
+                            (column + (i % STEPS + 0.5) / STEPS) / cells,
+                            (row + (Math.floorDiv(i, STEPS) + 0.5) / STEPS) / cells);
                 }
                 means[row * cells + column] = cell / (STEPS * STEPS);
                 sum += cell / (STEPS * STEPS);

@@ -8,7 +8,7 @@ import org.daybreak.core.color.Spectrum;
  */
 final class HosekWilkieSky implements SkyModel {
     /** The integral of the CIE 1931 ȳ curve in nanometres: what turns the data's RGB into a mean over wavelengths. */
-    static final double Y_INTEGRAL = 106.7502593994140625;
+    static final double Y_INTEGRAL = 106.75025939941406;
 
     /** Half the angle under which the data see the sun, in radians. */
     static final double SUN_HALF_ANGLE = Math.toRadians(0.5 * 0.5358);

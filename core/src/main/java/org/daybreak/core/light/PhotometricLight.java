@@ -53,7 +53,7 @@ public final class PhotometricLight implements Light {
         for (int cell = 0; cell < weights.length; cell++) {
             for (int k = 0; k < 4; k++) {
                 double phi = 2 * Math.PI * (cell % COLUMNS + (k % 2 + 0.5) / 2) / COLUMNS;
-                double cosine = 2 * (cell / COLUMNS + (k / 2 + 0.5) / 2) / ROWS - 1;
+                double cosine = 2 * (Math.floorDiv(cell, COLUMNS) + (Math.floorDiv(k, 2) + 0.5) / 2) / ROWS - 1;
                 double sine = Math.sqrt((1 - cosine) * (1 + cosine));
                 weights[cell] += 0.25 * profile.candela(sine * Math.cos(phi), sine * Math.sin(phi), cosine);
             }

@@ -83,7 +83,7 @@ public final class SkyLight implements Light {
             for (int k = 0; k < STEPS * STEPS; k++) {
                 direction(
                         (cell % COLUMNS + (k % STEPS + 0.5) / STEPS) / COLUMNS,
-                        (cell / COLUMNS + (k / STEPS + 0.5) / STEPS) / ROWS,
+                        (Math.floorDiv(cell, COLUMNS) + (Math.floorDiv(k, STEPS) + 0.5) / STEPS) / ROWS,
                         d);
                 look(d[0], d[1], d[2], value);
                 double part = value.luminance() / (STEPS * STEPS);

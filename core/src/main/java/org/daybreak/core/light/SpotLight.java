@@ -114,7 +114,8 @@ public final class SpotLight implements Light {
         Spectrum value = new Spectrum();
         SurfacePoint point = new SurfacePoint();
         for (int i = 0; i < steps * steps; i++) {
-            Warps.toUniformCone((i % steps + 0.5) / steps, (i / steps + 0.5) / steps, oneMinusCosCutoff, local);
+            Warps.toUniformCone(
+                    (i % steps + 0.5) / steps, (Math.floorDiv(i, steps) + 0.5) / steps, oneMinusCosCutoff, local);
             double falloff = falloff(local[2]);
             EmissionDirections.around(axisX, axisY, axisZ, local);
             value.set(intensity);
@@ -214,9 +215,10 @@ public final class SpotLight implements Light {
         out.dz = local[2];
         PointGeometry.start(x, y, z, coneDensity(), out);
         out.weight.set(intensity);
+        // What the slide holds back is black, but it has a density.
         project(out.dx, out.dy, out.dz, out.point, out.weight);
         out.weight.scale(falloff / out.densityDirection);
-        return !out.weight.isBlack();
+        return true;
     }
 
     @Override

@@ -96,7 +96,7 @@ public final class SunLight implements Light {
         int above = 0;
         double[] d = new double[3];
         for (int i = 0; i < steps * steps; i++) {
-            draw((i % steps + 0.5) / steps, (i / steps + 0.5) / steps, d);
+            draw((i % steps + 0.5) / steps, (Math.floorDiv(i, steps) + 0.5) / steps, d);
             above += aboveHorizon(d[0], d[1], d[2]) ? 1 : 0;
         }
         return (double) above / (steps * steps);

@@ -44,7 +44,7 @@ class PatternSamplerTest {
         float[] uvs = new float[2 * (n + 1) * (n + 1)];
         for (int i = 0; i < (n + 1) * (n + 1); i++) {
             uvs[2 * i] = (float) (i % (n + 1)) / n;
-            uvs[2 * i + 1] = (float) (i / (n + 1)) / n;
+            uvs[2 * i + 1] = (float) Math.floorDiv(i, n + 1) / n;
             positions[3 * i] = 2 * uvs[2 * i] - 1;
             positions[3 * i + 1] = 2 * uvs[2 * i + 1] - 1;
         }
@@ -179,7 +179,7 @@ class PatternSamplerTest {
         SurfacePoint point = new SurfacePoint();
         double truth = 0;
         for (int i = 0; i < 64 * 64; i++) {
-            truth += PATTERN.at((i % 64 + 0.5) / 64, (i / 64 + 0.5) / 64) / (64 * 64);
+            truth += PATTERN.at((i % 64 + 0.5) / 64, (Math.floorDiv(i, 64) + 0.5) / 64) / (64 * 64);
         }
         double[] spreads = new double[3];
         SurfaceSampler plain = SurfaceSamplers.of(new Rectangle(), PLACE, false);

@@ -108,7 +108,9 @@ class SkyTest {
     @Test
     void theSunStandsWhereMitsubaHasIt() {
         Vector3d sun = SolarPosition.direction(2015, 5, 20, 10, 1, 48, 11.5);
-        double cosine = sun.x * 0.3572 - sun.y * 0.5054 + sun.z * 0.7849;
+        Vector3d mitsuba = new Vector3d(0.35715, -0.50536, 0.78490);
+        mitsuba.normalize();
+        double cosine = sun.dot(mitsuba);
         assertEquals(1, sun.length(), 1e-12);
         assertTrue(Math.toDegrees(Math.acos(Math.min(1, cosine))) < 0.7, sun::toString);
         // At the equinox the sun passes over the equator's zenith at local noon, within the equation of time.
