@@ -31,6 +31,7 @@ class CrossCheckTest {
             "light in glass",
             "inside of a glass sphere",
             "image environment",
+            "directional",
             "orthographic camera",
             "environment camera");
 
