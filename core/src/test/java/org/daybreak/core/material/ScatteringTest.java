@@ -54,10 +54,12 @@ class ScatteringTest {
                         Scattering.density(bsdf, p, wi[0], wi[1], wi[2], wo[0], wo[1], wo[2], mode) > 0
                                 || value.max() < 1e-290,
                         material.name());
-                // No material here transmits but by delta lobes: light stays on its side of the geometry.
+                // Each direction is on one side, by either normal; light changes sides only where the material transmits.
                 double og = p.geometricCosine(wo[0], wo[1], wo[2]);
                 double ig = p.geometricCosine(wi[0], wi[1], wi[2]);
-                assertTrue(og * ig > 0, material.name() + ": light leak");
+                assertTrue(og * p.localZ(wo[0], wo[1], wo[2]) > 0, material.name() + ": wo is on both sides");
+                assertTrue(ig * p.localZ(wi[0], wi[1], wi[2]) > 0, material.name() + ": wi is on both sides");
+                assertTrue(bsdf.transmissive() || og * ig > 0, material.name() + ": light leak");
             }
         }
         assertEquals(bsdf.connectable(), scattering > 0);
@@ -115,9 +117,10 @@ class ScatteringTest {
             assertTrue(p.localZ(x, y, z) * p.geometricCosine(x, y, z) > 0, material.name());
             if (!sample.delta) {
                 double density = Scattering.evaluate(bsdf, p, wo[0], wo[1], wo[2], x, y, z, mode, value);
-                assertEquals(density, sample.density, 1e-9 * density, material.name());
-                assertEquals(value.r / density, sample.weight.r, 1e-9 * sample.weight.r, material.name());
-                assertEquals(value.b / density, sample.weight.b, 1e-9 * sample.weight.b, material.name());
+                // The density of a narrow refracted lobe magnifies the rounding of directions, most near the critical angle.
+                assertEquals(density, sample.density, 1e-7 * density, material.name());
+                assertEquals(value.r / density, sample.weight.r, 1e-7 * sample.weight.r, material.name());
+                assertEquals(value.b / density, sample.weight.b, 1e-7 * sample.weight.b, material.name());
             }
         }
         assertTrue(drawn > 2000, material.name());
