@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Traversal of a {@link WideBvh} with 512-bit vectors. Species must be constants of the kernel, so there is one class for
  * each width. The widest is written by hand; the build makes the other from it by replacing the number of bits
- * (docs/decisions/0009).
+ * (docs/decisions/0011).
  *
  * <p>A query is one method without calls that take or return vectors: those would box them. It is the same method for both
  * kinds of query: compiled once, it is fast earlier. Distances are compared as

@@ -54,7 +54,8 @@ class ScatteringTest {
                         Scattering.density(bsdf, p, wi[0], wi[1], wi[2], wo[0], wo[1], wo[2], mode) > 0
                                 || value.max() < 1e-290,
                         material.name());
-                // Each direction is on one side, by either normal; light changes sides only where the material transmits.
+                // Each direction is on one side, by either normal; light changes sides only where the material
+                // transmits.
                 double og = p.geometricCosine(wo[0], wo[1], wo[2]);
                 double ig = p.geometricCosine(wi[0], wi[1], wi[2]);
                 assertTrue(og * p.localZ(wo[0], wo[1], wo[2]) > 0, material.name() + ": wo is on both sides");
@@ -117,7 +118,8 @@ class ScatteringTest {
             assertTrue(p.localZ(x, y, z) * p.geometricCosine(x, y, z) > 0, material.name());
             if (!sample.delta) {
                 double density = Scattering.evaluate(bsdf, p, wo[0], wo[1], wo[2], x, y, z, mode, value);
-                // The density of a narrow refracted lobe magnifies the rounding of directions, most near the critical angle.
+                // The density of a narrow refracted lobe magnifies the rounding of directions, most near the critical
+                // angle.
                 assertEquals(density, sample.density, 1e-7 * density, material.name());
                 assertEquals(value.r / density, sample.weight.r, 1e-7 * sample.weight.r, material.name());
                 assertEquals(value.b / density, sample.weight.b, 1e-7 * sample.weight.b, material.name());

@@ -116,7 +116,8 @@ class ShadingDataTest {
             assertEquals(0, hit.localZ(hit.sx, hit.sy, hit.sz), 1e-12, where);
             assertEquals(hit.ny * hit.sz - hit.nz * hit.sy, hit.tx, 1e-12, where);
             assertTrue(hit.uLength > 0, where);
-            // Coordinates that change faster than by 10 per unit are near a pole, where differences are not derivatives.
+            // Coordinates that change faster than by 10 per unit are near a pole, where differences are not
+            // derivatives.
             double h = 1e-5;
             for (int axis = 0; axis < 2; axis++) {
                 if (!caster.trace(
