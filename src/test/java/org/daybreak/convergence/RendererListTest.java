@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
  */
 class RendererListTest {
     private static final Set<String> RENDERERS = Set.of("path", "raytracer", "light");
-    private static final Set<String> ANTIALIASING = Set.of("none", "grid", "stratified", "sobol");
+    private static final Set<String> ANTIALIASING = Set.of("none", "grid", "stratified", "sobol", "adaptive");
 
     @Test
     void allRenderersAreFound() {

@@ -58,6 +58,7 @@ class InputFormatsTest {
                 new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB),
                 "png",
                 folder.resolve("t.png").toFile());
+        SceneTexts.write(folder, "t.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 1 1 2 1 1 2 0 0 0\n1 1 1\n0 90\n0\n1 1\n");
         String object = object(plugin);
         String content = switch (plugin.kind()) {
             case SCENE -> "";
@@ -89,8 +90,12 @@ class InputFormatsTest {
             } else if (p.type() == ValueType.FILE) {
                 boolean image =
                         plugin.kind() != ObjectKind.SHAPE || plugin.type().equals("heightfield");
-                String ending = image ? "png" : plugin.type();
-                xml.append("<string name='filename' value='t.").append(ending).append("'/>");
+                String ending = p.name().equals("ies") ? "ies" : image ? "png" : plugin.type();
+                xml.append("<string name='")
+                        .append(p.name())
+                        .append("' value='t.")
+                        .append(ending)
+                        .append("'/>");
             } else if (p.name().equals("aperture_radius")) {
                 xml.append("<float name='aperture_radius' value='0.1'/>");
             } else if (p.name().equals("fov_axis")) {

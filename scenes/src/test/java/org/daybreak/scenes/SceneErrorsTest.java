@@ -143,7 +143,7 @@ class SceneErrorsTest {
                                 + "<float name='ext_ior' value='1.5'/></bsdf>",
                         "must differ"),
                 arguments(
-                        "§<bsdf type='leaf'><float name='reflectance' value='0.6'/></bsdf>",
+                        "§<bsdf type='leaf'><float name='reflectance' value='0.7'/></bsdf>",
                         "front reflectance and transmittance must not exceed 1 together"),
                 arguments("§<bsdf type='blendbsdf'><bsdf type='diffuse'/></bsdf>", "must contain exactly 2 <bsdf>"),
                 arguments(

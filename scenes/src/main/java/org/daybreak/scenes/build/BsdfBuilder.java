@@ -265,13 +265,14 @@ final class BsdfBuilder {
     private @Nullable Bsdf bumpMap(Properties p) {
         Properties.Child nested = p.child(ObjectKind.BSDF);
         Properties.Child height = p.child(ObjectKind.TEXTURE);
-        return nested == null || height == null
+        if (nested == null || height == null) {
+            return null;
+        }
+        Texture texture = textures.texture(height.object(), height.location());
+        Bsdf base = bsdf(nested.object(), nested.location());
+        return texture == TextureBuilder.PLACEHOLDER
                 ? null
-                : new BumpMap(
-                        textures.texture(height.object(), height.location()),
-                        p.number("scale"),
-                        bsdf(nested.object(), nested.location()),
-                        p.truth("use_shadowing_function"));
+                : new BumpMap(texture, p.number("scale"), base, p.truth("use_shadowing_function"));
     }
 
     private static Microfacet.Kind distribution(Properties p) {

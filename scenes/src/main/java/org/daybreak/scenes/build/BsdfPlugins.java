@@ -173,8 +173,8 @@ final class BsdfPlugins {
                         ValueType.BOOLEAN,
                         "true",
                         "Transparency takes its share from the colours."),
-                value("int_ior", ValueType.REFRACTIVE_INDEX, "1", "Refractive index behind the surface."),
-                value("ext_ior", ValueType.REFRACTIVE_INDEX, "1", "Refractive index on the side of the normal.")));
+                value("int_ior", ValueType.REFRACTIVE_INDEX, "vacuum", "Refractive index behind the surface."),
+                value("ext_ior", ValueType.REFRACTIVE_INDEX, "vacuum", "Refractive index on the side of the normal.")));
     }
 
     private static void addPrincipled(List<PluginDefinition> list) {

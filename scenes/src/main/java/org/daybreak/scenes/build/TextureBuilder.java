@@ -29,7 +29,8 @@ import org.jspecify.annotations.Nullable;
 
 /** Builds textures and environment images. Files and objects that are used several times are read once. */
 final class TextureBuilder {
-    private static final Texture PLACEHOLDER = ConstantTexture.grey(0.5);
+    /** Stands for a texture with an error that is reported. */
+    static final Texture PLACEHOLDER = ConstantTexture.grey(0.5);
 
     private final BuildContext context;
     private final IdentityHashMap<ObjectDescription, Texture> built = new IdentityHashMap<>();
