@@ -147,7 +147,7 @@ class SceneErrorsTest {
                         "front reflectance and transmittance must not exceed 1 together"),
                 arguments("§<bsdf type='blendbsdf'><bsdf type='diffuse'/></bsdf>", "must contain exactly 2 <bsdf>"),
                 arguments(
-                        "<bsdf type='bumpmap'>§<texture type='mesh_attribute'><string name='name' value='x'/>"
+                        "<bsdf type='bumpmap'><texture type='mesh_attribute'>§<string name='name' value='x'/>"
                                 + "</texture><bsdf type='diffuse'/></bsdf>",
                         "only mesh attribute"),
                 arguments("<bsdf type='roughconductor'>§<float name='alpha_u' value='0.1'/></bsdf>", "given together"),

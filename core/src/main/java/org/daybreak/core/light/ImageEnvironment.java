@@ -1,11 +1,8 @@
 package org.daybreak.core.light;
 
 import org.daybreak.core.color.Spectrum;
-import org.daybreak.core.geometry.EmissionBounds;
-import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.math.Transform;
 import org.daybreak.core.sampling.PiecewiseConstant2D;
-import org.jspecify.annotations.Nullable;
 
 /**
  * A panorama around the scene: radiance interpolated bilinearly between the pixels of a {@link RadianceMap}.
@@ -14,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * four pixels by its exact integral, then a point in it by a bilinear density. A cell gets a positive density
  * everywhere if any of its corners is not black, so wherever there is radiance there is density.
  */
-public final class ImageEnvironment implements Light {
+public final class ImageEnvironment extends DistantRadiance {
     /** Least sine of the polar angle in densities, which are singular at the poles. */
     private static final double LEAST_SINE = 1e-12;
 
@@ -36,10 +33,6 @@ public final class ImageEnvironment implements Light {
 
     private final double[] forward;
 
-    private final double centreX;
-    private final double centreY;
-    private final double centreZ;
-    private final double sceneRadius;
     private final IrradianceHarmonics harmonics;
 
     /**
@@ -60,15 +53,12 @@ public final class ImageEnvironment implements Light {
             double centreY,
             double centreZ,
             double sceneRadius) {
+        super(centreX, centreY, centreZ, sceneRadius);
         if (!(scale >= 0) || Double.isInfinite(scale)) {
             throw new IllegalArgumentException("the scale of an environment must not be negative but is " + scale);
         }
         this.map = map;
         this.scale = scale;
-        this.centreX = centreX;
-        this.centreY = centreY;
-        this.centreZ = centreZ;
-        this.sceneRadius = sceneRadius;
         width = map.width();
         height = map.height();
         rows = Math.max(1, height - 1);
@@ -97,7 +87,7 @@ public final class ImageEnvironment implements Light {
             forward[i] /= unit;
             inverse[i] *= unit;
         }
-        harmonics = harmonics();
+        harmonics = integrate();
     }
 
     /** {@code ½∫₋₁¹ s·sin(hs) ds = (sin h − h cos h)/h²}, by its series where that cancels. */
@@ -113,7 +103,7 @@ public final class ImageEnvironment implements Light {
         return upper * upperWeights[row] + lower * lowerWeights[row];
     }
 
-    private IrradianceHarmonics harmonics() {
+    private IrradianceHarmonics integrate() {
         IrradianceHarmonics.Builder builder = new IrradianceHarmonics.Builder();
         double cellAngle = 2 * Math.PI / width * (Math.PI / rows);
         for (int row = 0; row < rows; row++) {
@@ -136,84 +126,12 @@ public final class ImageEnvironment implements Light {
     }
 
     @Override
-    public boolean isDelta() {
-        return false;
+    IrradianceHarmonics harmonics() {
+        return harmonics;
     }
 
     @Override
-    public boolean isInfinite() {
-        return true;
-    }
-
-    @Override
-    public double power() {
-        return harmonics.fluence() * Math.PI * sceneRadius * sceneRadius;
-    }
-
-    @Override
-    public double importance(double px, double py, double pz, double nx, double ny, double nz) {
-        return nx == 0 && ny == 0 && nz == 0 ? harmonics.fluence() : harmonics.irradiance(nx, ny, nz);
-    }
-
-    @Override
-    public @Nullable EmissionBounds bounds() {
-        return null;
-    }
-
-    @Override
-    public boolean sampleIncident(double px, double py, double pz, double u, double v, LightSample out) {
-        double[] d = out.scratch;
-        double density = sampleDirection(u, v, d);
-        double wx = d[0];
-        double wy = d[1];
-        double wz = d[2];
-        look(wx, wy, wz, out.weight);
-        if (out.weight.isBlack()) {
-            return false;
-        }
-        InfiniteGeometry.arrive(wx, wy, wz, density, out);
-        out.weight.scale(1 / density);
-        return true;
-    }
-
-    @Override
-    public double incidentDensity(
-            double px, double py, double pz, SurfacePoint onLight, double wiX, double wiY, double wiZ) {
-        return density(wiX, wiY, wiZ);
-    }
-
-    @Override
-    public boolean sampleEmission(double u, double v, double s, double t, EmissionSample out) {
-        if (!(sceneRadius > 0)) {
-            return false;
-        }
-        double[] d = out.scratch;
-        double density = sampleDirection(s, t, d);
-        look(d[0], d[1], d[2], out.weight);
-        if (out.weight.isBlack()) {
-            return false;
-        }
-        out.dx = -d[0];
-        out.dy = -d[1];
-        out.dz = -d[2];
-        InfiniteGeometry.start(centreX, centreY, centreZ, sceneRadius, u, v, density, out);
-        out.weight.scale(1 / (out.densityPosition * density));
-        return true;
-    }
-
-    @Override
-    public void emissionDensity(SurfacePoint onLight, double dx, double dy, double dz, EmissionDensity out) {
-        out.position = InfiniteGeometry.diskDensity(sceneRadius);
-        out.direction = density(-dx, -dy, -dz);
-    }
-
-    @Override
-    public void radiance(SurfacePoint onLight, double dx, double dy, double dz, Spectrum out) {
-        look(-dx, -dy, -dz, out);
-    }
-
-    /** Radiance from a unit direction of the world. */
-    private void look(double wx, double wy, double wz, Spectrum out) {
+    void look(double wx, double wy, double wz, Spectrum out) {
         double x = inverse[0] * wx + inverse[1] * wy + inverse[2] * wz;
         double y = inverse[3] * wx + inverse[4] * wy + inverse[5] * wz;
         double z = inverse[6] * wx + inverse[7] * wy + inverse[8] * wz;
@@ -241,7 +159,8 @@ public final class ImageEnvironment implements Light {
     }
 
     /** Draws a unit direction of the world and returns its density per solid angle. */
-    private double sampleDirection(double u, double v, double[] dest) {
+    @Override
+    double sampleDirection(double u, double v, double[] dest) {
         double cellDensity = cells.sample(u, v, dest);
         double column = dest[0] * width;
         double row = dest[1] * rows;
@@ -275,7 +194,8 @@ public final class ImageEnvironment implements Light {
     }
 
     /** Density per solid angle of a unit direction of the world. */
-    private double density(double wx, double wy, double wz) {
+    @Override
+    double density(double wx, double wy, double wz) {
         double x = inverse[0] * wx + inverse[1] * wy + inverse[2] * wz;
         double y = inverse[3] * wx + inverse[4] * wy + inverse[5] * wz;
         double z = inverse[6] * wx + inverse[7] * wy + inverse[8] * wz;

@@ -1,17 +1,14 @@
 package org.daybreak.core.light;
 
 import org.daybreak.core.color.Spectrum;
-import org.daybreak.core.geometry.EmissionBounds;
-import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.math.Transform;
 import org.daybreak.core.sampling.PiecewiseConstant2D;
-import org.jspecify.annotations.Nullable;
 
 /**
  * A clear sky without its sun, over the upper half of all directions. Directions are drawn by a table of the luminance over azimuth
  * from the sun and height, whose cells are equal in solid angle; the radiance is that of the model, not of the table.
  */
-public final class SkyLight implements Light {
+public final class SkyLight extends DistantRadiance {
     private static final int COLUMNS = 256;
     private static final int ROWS = 128;
 
@@ -36,10 +33,6 @@ public final class SkyLight implements Light {
 
     private final PiecewiseConstant2D cells;
     private final IrradianceHarmonics harmonics;
-    private final double centreX;
-    private final double centreY;
-    private final double centreZ;
-    private final double sceneRadius;
 
     /**
      * Creates a light.
@@ -59,6 +52,7 @@ public final class SkyLight implements Light {
             double centreY,
             double centreZ,
             double sceneRadius) {
+        super(centreX, centreY, centreZ, sceneRadius);
         if (!(scale >= 0) || Double.isInfinite(scale)) {
             throw new IllegalArgumentException("the scale of the sky must not be negative but is " + scale);
         }
@@ -70,10 +64,6 @@ public final class SkyLight implements Light {
         day = sunZ >= 0;
         azimuth = Math.atan2(sunY, sunX);
         m = DistantFrames.rotation(toWorld);
-        this.centreX = centreX;
-        this.centreY = centreY;
-        this.centreZ = centreZ;
-        this.sceneRadius = sceneRadius;
         double[] luminance = new double[COLUMNS * ROWS];
         IrradianceHarmonics.Builder builder = new IrradianceHarmonics.Builder();
         Spectrum value = new Spectrum();
@@ -105,88 +95,19 @@ public final class SkyLight implements Light {
     }
 
     @Override
-    public boolean isDelta() {
-        return false;
+    IrradianceHarmonics harmonics() {
+        return harmonics;
     }
 
     @Override
-    public boolean isInfinite() {
-        return true;
-    }
-
-    @Override
-    public double power() {
-        return harmonics.fluence() * Math.PI * sceneRadius * sceneRadius;
-    }
-
-    @Override
-    public double importance(double px, double py, double pz, double nx, double ny, double nz) {
-        return nx == 0 && ny == 0 && nz == 0 ? harmonics.fluence() : harmonics.irradiance(nx, ny, nz);
-    }
-
-    @Override
-    public @Nullable EmissionBounds bounds() {
-        return null;
-    }
-
-    @Override
-    public boolean sampleIncident(double px, double py, double pz, double u, double v, LightSample out) {
-        double density = sampleDirection(u, v, out.scratch);
-        double wx = out.scratch[0];
-        double wy = out.scratch[1];
-        double wz = out.scratch[2];
-        look(wx, wy, wz, out.weight);
-        if (out.weight.isBlack()) {
-            return false;
-        }
-        InfiniteGeometry.arrive(wx, wy, wz, density, out);
-        out.weight.scale(1 / density);
-        return true;
-    }
-
-    @Override
-    public double incidentDensity(
-            double px, double py, double pz, SurfacePoint onLight, double wiX, double wiY, double wiZ) {
-        return density(wiX, wiY, wiZ);
-    }
-
-    @Override
-    public boolean sampleEmission(double u, double v, double s, double t, EmissionSample out) {
-        if (!(sceneRadius > 0)) {
-            return false;
-        }
-        double[] d = out.scratch;
-        double density = sampleDirection(s, t, d);
-        look(d[0], d[1], d[2], out.weight);
-        if (out.weight.isBlack()) {
-            return false;
-        }
-        out.dx = -d[0];
-        out.dy = -d[1];
-        out.dz = -d[2];
-        InfiniteGeometry.start(centreX, centreY, centreZ, sceneRadius, u, v, density, out);
-        out.weight.scale(1 / (out.densityPosition * density));
-        return true;
-    }
-
-    @Override
-    public void emissionDensity(SurfacePoint onLight, double dx, double dy, double dz, EmissionDensity out) {
-        out.position = InfiniteGeometry.diskDensity(sceneRadius);
-        out.direction = density(-dx, -dy, -dz);
-    }
-
-    @Override
-    public void radiance(SurfacePoint onLight, double dx, double dy, double dz, Spectrum out) {
-        look(-dx, -dy, -dz, out);
-    }
-
-    private double sampleDirection(double u, double v, double[] dest) {
+    double sampleDirection(double u, double v, double[] dest) {
         double density = cells.sample(u, v, dest);
         direction(dest[0], dest[1], dest);
         return density / (2 * Math.PI);
     }
 
-    private double density(double wx, double wy, double wz) {
+    @Override
+    double density(double wx, double wy, double wz) {
         double z = DistantFrames.localZ(m, wx, wy, wz);
         if (!(z >= 0)) {
             return 0;
@@ -197,8 +118,8 @@ public final class SkyLight implements Light {
         return cells.density(Math.min(u, Math.nextDown(1.0)), Math.min(z, Math.nextDown(1.0))) / (2 * Math.PI);
     }
 
-    /** Radiance from a unit direction of the world. */
-    private void look(double wx, double wy, double wz, Spectrum out) {
+    @Override
+    void look(double wx, double wy, double wz, Spectrum out) {
         double z = DistantFrames.localZ(m, wx, wy, wz);
         if (!day || !(z >= 0)) {
             out.setZero();

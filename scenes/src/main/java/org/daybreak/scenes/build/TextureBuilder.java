@@ -107,10 +107,11 @@ final class TextureBuilder {
         }
     }
 
-    private Texture vertexColors(Properties p) {
+    private @Nullable Texture vertexColors(Properties p) {
         String attribute = p.text("name");
         if (!attribute.equals("vertex_color")) {
             context.error(p.location("name"), "the only mesh attribute is 'vertex_color', not '" + attribute + "'");
+            return null;
         }
         return new VertexColorTexture(p.number("scale"));
     }
