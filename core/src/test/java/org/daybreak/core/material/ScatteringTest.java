@@ -118,11 +118,11 @@ class ScatteringTest {
             assertTrue(p.localZ(x, y, z) * p.geometricCosine(x, y, z) > 0, material.name());
             if (!sample.delta) {
                 double density = Scattering.evaluate(bsdf, p, wo[0], wo[1], wo[2], x, y, z, mode, value);
-                // The density of a narrow refracted lobe magnifies the rounding of directions, most near the critical
-                // angle.
-                assertEquals(density, sample.density, 1e-7 * density, material.name());
-                assertEquals(value.r / density, sample.weight.r, 1e-7 * sample.weight.r, material.name());
-                assertEquals(value.b / density, sample.weight.b, 1e-7 * sample.weight.b, material.name());
+                // The density of a narrow refracted lobe magnifies the rounding of directions near the critical angle.
+                double tolerance = material.name().equals("phong frosted glass") ? 1e-7 : 1e-9;
+                assertEquals(density, sample.density, tolerance * density, material.name());
+                assertEquals(value.r / density, sample.weight.r, tolerance * sample.weight.r, material.name());
+                assertEquals(value.b / density, sample.weight.b, tolerance * sample.weight.b, material.name());
             }
         }
         assertTrue(drawn > 2000, material.name());
