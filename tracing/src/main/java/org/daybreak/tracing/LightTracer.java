@@ -77,13 +77,18 @@ final class LightTracer {
         double lensV = lensArea ? sampler.next() : 0.5;
         boolean finite = true;
         if (light.isInfinite() && !light.isDelta()) {
-            finite = lens.joinInfinite(light, chosen, directionU, directionV, lensU, lensV, splats);
+            if (lens.aimFromInfinity(light, directionU, directionV, lensU, lensV) > 0) {
+                finite = lens.splat(emission.point, 1 / chosen, 1 / chosen, 1 / chosen, splats);
+            }
         }
         if (!light.sampleEmission(positionU, positionV, directionU, directionV, emission)) {
             return finite;
         }
         if (!light.isInfinite() && !light.isDelta()) {
-            finite = lens.joinEmitter(light, emission, chosen, lensU, lensV, splats);
+            if (lens.aimFromEmitter(light, emission.point, lensU, lensV)) {
+                double scale = 1 / (emission.densityPosition * chosen);
+                finite = lens.splat(emission.point, scale, scale, scale, splats);
+            }
         }
         if (edgeLimit >= 2) {
             finite &= walk(chosen, splats);
@@ -113,7 +118,9 @@ final class LightTracer {
                     lensU = sampler.next();
                     lensV = sampler.next();
                 }
-                finite &= lens.joinSurface(here, bsdf, -dx, -dy, -dz, r, g, b, lensU, lensV, splats);
+                if (lens.aimFromSurface(here, bsdf, -dx, -dy, -dz, lensU, lensV)) {
+                    finite &= lens.splat(here, r, g, b, splats);
+                }
             }
             // The next vertex would be joined by one more edge still.
             boolean last = edges > edgeLimit - 2;

@@ -299,6 +299,7 @@ public final class PixelwiseRenderer implements Renderer {
             unit.splats.clear();
             unit.nonFinite.clear();
             unit.samples = 0;
+            processor.beginUnit();
             if (unit.seed != samplerSeed) {
                 samplerSeed = unit.seed;
                 sampler = context.antialiasing().newSampler(samplerSeed, samplesPerPixel);

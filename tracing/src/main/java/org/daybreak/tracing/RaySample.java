@@ -22,7 +22,7 @@ public final class RaySample {
      *
      * @param ray the camera ray; the point lies on it, possibly behind surfaces that it went straight through
      */
-    void setFeatures(Bsdf bsdf, SurfacePoint p, CameraRay ray) {
+    public void setFeatures(Bsdf bsdf, SurfacePoint p, CameraRay ray) {
         features.hit = true;
         bsdf.albedo(p, features.albedo);
         features.nx = p.nx;

@@ -1,0 +1,141 @@
+package org.daybreak.bidirectional;
+
+import org.daybreak.core.camera.Camera;
+import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.film.SplatBuffer;
+import org.daybreak.core.geometry.SurfacePoint;
+import org.daybreak.core.light.Light;
+import org.daybreak.core.material.Bsdf;
+import org.daybreak.core.sampling.Sampler;
+import org.daybreak.core.scene.RayCaster;
+import org.daybreak.core.scene.Scene;
+import org.daybreak.tracing.Dimensions;
+import org.daybreak.tracing.LensConnection;
+
+/**
+ * The light image: what light subpaths bring straight to the lens, technique t = 1 (the thesis' class of that name, §4.2). The
+ * film position is found and not chosen, so the contributions are splats, which the film gathers apart, filters like
+ * samples and divides by the number of light subpaths. One object per worker; its splats go into the buffer of the work unit.
+ */
+final class CausticMap {
+    private final Scene scene;
+    private final LensConnection lens;
+    private final ComplementTracer complement;
+    private final ConnectionRoulette roulette;
+    private final LightDensities lights;
+    private final boolean lensArea;
+    private final double perPixel;
+    private SplatBuffer splats = new SplatBuffer();
+    private double luminance;
+    private boolean finite;
+
+    CausticMap(
+            Scene scene,
+            Camera camera,
+            RayCaster caster,
+            ComplementTracer complement,
+            ConnectionRoulette roulette,
+            LightDensities lights) {
+        this.scene = scene;
+        this.complement = complement;
+        this.roulette = roulette;
+        this.lights = lights;
+        lens = new LensConnection(camera, caster);
+        lensArea = camera.hasLensArea();
+        perPixel = 1 / ((double) camera.width() * camera.height());
+    }
+
+    /** A sample begins, whose splats go into a buffer. */
+    void beginSample(SplatBuffer buffer) {
+        splats = buffer;
+        luminance = 0;
+        finite = true;
+    }
+
+    /** Luminance of the splats of the sample so far, as a share of the image: a splat reaches one pixel of all. */
+    double luminance() {
+        return luminance;
+    }
+
+    /** False if some contribution of the sample was not finite. */
+    boolean finite() {
+        return finite;
+    }
+
+    /**
+     * Joins all vertices of a light subpath to the lens.
+     *
+     * @param path the subpath; of length 0 if nothing was emitted
+     * @param index its light
+     * @param maxVertices largest number of vertices of a full path
+     */
+    void add(PathValues path, int index, int subpath, long maxVertices, Sampler sampler) {
+        Light light = scene.light(index);
+        if (!light.isDelta() && maxVertices >= 2) {
+            addEmitter(path, light, index, subpath, sampler);
+        }
+        for (int e = 1; e < path.length() && e + 2 <= maxVertices; e++) {
+            if (!path.connectable[e]) {
+                continue;
+            }
+            double u = 0.5;
+            double v = 0.5;
+            if (lensArea) {
+                sampler.setDimension(Dimensions.lightPath(path.surface[e], subpath) + 2);
+                u = sampler.next();
+                v = sampler.next();
+            }
+            SurfacePoint y = path.points[e];
+            Bsdf bsdf = path.bsdfs[e];
+            if (lens.aimFromSurface(y, bsdf, path.backX[e], path.backY[e], path.backZ[e], u, v)) {
+                double weight = complement.lens(
+                        path, e + 1, lens.lens().wiX, lens.lens().wiY, lens.lens().wiZ, lens.filmDensity());
+                splat(
+                        y,
+                        weight * path.throughputR[e],
+                        weight * path.throughputG[e],
+                        weight * path.throughputB[e]);
+            }
+        }
+    }
+
+    /** The emitter itself as the lens sees it, s = 1. */
+    private void addEmitter(PathValues path, Light light, int index, int subpath, Sampler sampler) {
+        double u = 0.5;
+        double v = 0.5;
+        if (lensArea) {
+            sampler.setDimension(Dimensions.lightPathChoices(0, subpath) + 2);
+            u = sampler.next();
+            v = sampler.next();
+        }
+        if (light.isInfinite()) {
+            sampler.setDimension(Dimensions.lightPath(0, subpath) + 2);
+            double s = sampler.next();
+            double t = sampler.next();
+            double density = lens.aimFromInfinity(light, s, t, u, v);
+            if (density > 0) {
+                double chosen = lights.emissionChoice(index);
+                double scale = complement.emitterAtLens(chosen * density, lens.filmDensity()) / chosen;
+                splat(path.points[0], scale, scale, scale);
+            }
+        } else if (path.length() > 0 && lens.aimFromEmitter(light, path.points[0], u, v)) {
+            double density = path.forward[0];
+            double scale = complement.emitterAtLens(density, lens.filmDensity()) / density;
+            splat(path.points[0], scale, scale, scale);
+        }
+    }
+
+    private void splat(SurfacePoint y, double r, double g, double b) {
+        Spectrum value = lens.value();
+        double contribution = perPixel * Spectrum.luminance(r * value.r, g * value.g, b * value.b);
+        double factor = roulette.survive(contribution);
+        if (factor == 0) {
+            return;
+        }
+        int before = splats.size();
+        finite &= lens.splat(y, factor * r, factor * g, factor * b, splats);
+        if (splats.size() > before) {
+            luminance += factor * contribution;
+        }
+    }
+}
