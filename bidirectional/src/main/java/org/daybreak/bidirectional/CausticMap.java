@@ -23,23 +23,31 @@ final class CausticMap {
     private final ComplementTracer complement;
     private final ConnectionRoulette roulette;
     private final LightDensities lights;
+    private final boolean emitters;
     private final boolean lensArea;
     private final double perPixel;
     private SplatBuffer splats = new SplatBuffer();
     private double luminance;
     private boolean finite;
 
+    /**
+     * Creates a map.
+     *
+     * @param emitters whether lights are joined to the lens themselves: {@link TechniqueLimits#emitterAtLens}
+     */
     CausticMap(
             Scene scene,
             Camera camera,
             RayCaster caster,
             ComplementTracer complement,
             ConnectionRoulette roulette,
-            LightDensities lights) {
+            LightDensities lights,
+            boolean emitters) {
         this.scene = scene;
         this.complement = complement;
         this.roulette = roulette;
         this.lights = lights;
+        this.emitters = emitters;
         lens = new LensConnection(camera, caster);
         lensArea = camera.hasLensArea();
         perPixel = 1 / ((double) camera.width() * camera.height());
@@ -71,7 +79,7 @@ final class CausticMap {
      */
     void add(PathValues path, int index, int subpath, long maxVertices, Sampler sampler) {
         Light light = scene.light(index);
-        if (!light.isDelta() && maxVertices >= 2) {
+        if (emitters && !light.isDelta() && maxVertices >= 2) {
             addEmitter(path, light, index, subpath, sampler);
         }
         for (int e = 1; e < path.length() && e + 2 <= maxVertices; e++) {
@@ -90,11 +98,7 @@ final class CausticMap {
             if (lens.aimFromSurface(y, bsdf, path.backX[e], path.backY[e], path.backZ[e], u, v)) {
                 double weight = complement.lens(
                         path, e + 1, lens.lens().wiX, lens.lens().wiY, lens.lens().wiZ, lens.filmDensity());
-                splat(
-                        y,
-                        weight * path.throughputR[e],
-                        weight * path.throughputG[e],
-                        weight * path.throughputB[e]);
+                splat(y, weight * path.throughputR[e], weight * path.throughputG[e], weight * path.throughputB[e]);
             }
         }
     }
