@@ -181,8 +181,7 @@ final class BiDirectionalProcessor implements RayProcessor {
     }
 
     private void addMet(PathValues path, int last, int index) {
-        scene.light(index)
-                .radiance(path.points[last], path.backX[last], path.backY[last], path.backZ[last], value);
+        scene.light(index).radiance(path.points[last], path.backX[last], path.backY[last], path.backZ[last], value);
         if (!value.isBlack()) {
             add(0, last, index, 1, complement.met(path, last + 1, index));
         }
@@ -295,8 +294,8 @@ final class BiDirectionalProcessor implements RayProcessor {
                 value.r * lightValue.r * light.throughputR[e],
                 value.g * lightValue.g * light.throughputG[e],
                 value.b * lightValue.b * light.throughputB[e]);
-        double weight = complement.connection(
-                light, e + 1, eye, f + 1, dx, dy, dz, squared, densityFromLight, densityFromEye);
+        double weight =
+                complement.connection(light, e + 1, eye, f + 1, dx, dy, dz, squared, densityFromLight, densityFromEye);
         double factor = survive(f, 1 / squared, weight);
         if (factor != 0) {
             add(e + 1, f, light.light[0], factor * caster.transmittance(y, z), weight);

@@ -18,6 +18,9 @@ import org.daybreak.core.scene.Scene;
 final class ComplementTracer {
     private static final PathValues NONE = new PathValues();
 
+    /** Products of single ratios to a higher power would leave the range of doubles, and 0 times infinity is no weight. */
+    private static final double LARGEST_CHAINED = 4;
+
     private final Scene scene;
     private final LightDensities lights;
     private final TechniqueLimits limits;
@@ -125,12 +128,7 @@ final class ComplementTracer {
      * @param densityFromEye density per solid angle with which z_{t−1} scatters towards the light
      */
     double lightSample(
-            PathValues eyePath,
-            int eyeVertices,
-            int index,
-            LightSample sample,
-            double chosen,
-            double densityFromEye) {
+            PathValues eyePath, int eyeVertices, int index, LightSample sample, double chosen, double densityFromEye) {
         join(NONE, 1, eyePath, eyeVertices);
         int f = eyeVertices - 1;
         SurfacePoint z = eyePath.points[f];
@@ -148,8 +146,7 @@ final class ComplementTracer {
         first = lights.first;
         nextEvent = lights.nextEvent;
         eyeEnd = lights.second;
-        eyeBefore =
-                f > 1 ? densityBefore(eyePath, f, sample.wiX, sample.wiY, sample.wiZ, TransportMode.IMPORTANCE) : 0;
+        eyeBefore = f > 1 ? densityBefore(eyePath, f, sample.wiX, sample.wiY, sample.wiZ, TransportMode.IMPORTANCE) : 0;
         return weight();
     }
 
@@ -222,7 +219,9 @@ final class ComplementTracer {
     }
 
     private double weight() {
-        return limits.leaveAll(s + t) ? chainedWeight() : MisWeight.weight(combine(), s, limits, exponent);
+        return exponent <= LARGEST_CHAINED && limits.leaveAll(s + t)
+                ? chainedWeight()
+                : MisWeight.weight(combine(), s, limits, exponent);
     }
 
     /** The weight by {@link MisWeight#chain}, for configurations whose limits of depth leave all techniques of the path. */

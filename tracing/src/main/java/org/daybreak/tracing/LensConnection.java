@@ -52,8 +52,7 @@ public final class LensConnection {
      * @param u first number for the point on the lens
      * @return false if nothing arrives: the lens does not see the point, or nothing scatters towards it
      */
-    public boolean aimFromSurface(
-            SurfacePoint p, Bsdf bsdf, double woX, double woY, double woZ, double u, double v) {
+    public boolean aimFromSurface(SurfacePoint p, Bsdf bsdf, double woX, double woY, double woZ, double u, double v) {
         if (!camera.sampleLens(p.x, p.y, p.z, u, v, lens)) {
             return false;
         }
