@@ -17,8 +17,10 @@ import org.daybreak.core.scene.RayKind;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.tracing.Dimensions;
 import org.daybreak.tracing.EmissionGuide;
+import org.daybreak.tracing.LensConnection;
 import org.daybreak.tracing.RayProcessor;
 import org.daybreak.tracing.RaySample;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One sample of bidirectional path tracing (Veach 1997, chapter 10; thesis §4.1): traces an eye and a light subpath, joins each
@@ -52,8 +54,22 @@ final class BiDirectionalProcessor implements RayProcessor {
     private final Spectrum lightValue = new Spectrum();
     private final LineTracer.Emission emission = this::addMet;
     private final Spectrum radiance = new Spectrum();
+    private double sampleX;
+    private double sampleY;
+    private final Contribution contribution;
+    private final Contribution.@Nullable Listener listener;
 
-    BiDirectionalProcessor(Scene scene, Camera camera, boolean features, BidirectionalSettings settings) {
+    /**
+     * Creates a processor.
+     *
+     * @param listener told of all contributions; null if nobody listens
+     */
+    BiDirectionalProcessor(
+            Scene scene,
+            Camera camera,
+            boolean features,
+            BidirectionalSettings settings,
+            Contribution.@Nullable Listener listener) {
         this.scene = scene;
         this.camera = camera;
         this.features = features;
@@ -70,7 +86,11 @@ final class BiDirectionalProcessor implements RayProcessor {
                 camera, caster, guide, lights, exponent, limits.lens(), settings.rouletteFrom(), splitting);
         complement = new ComplementTracer(scene, lights, limits, exponent, splitting);
         roulette = new ConnectionRoulette(settings.roulette() == BidirectionalSettings.Roulette.EFFICIENCY);
-        causticMap = new CausticMap(scene, camera, caster, complement, roulette, lights, limits.emitterAtLens());
+        LensConnection lens = new LensConnection(camera, caster);
+        contribution = new Contribution(light, eye, lightSample, lens.lens(), complement);
+        this.listener = listener;
+        causticMap = new CausticMap(
+                scene, camera, lens, complement, roulette, lights, contribution, listener, limits.emitterAtLens());
         lensArea = camera.hasLensArea();
     }
 
@@ -89,6 +109,8 @@ final class BiDirectionalProcessor implements RayProcessor {
         out.radiance.setZero();
         out.features.hit = false;
         radiance.setZero();
+        sampleX = filmX;
+        sampleY = filmY;
         double lensU = 0.5;
         double lensV = 0.5;
         if (lensArea) {
@@ -179,8 +201,7 @@ final class BiDirectionalProcessor implements RayProcessor {
     private void addMet(PathValues path, int last, int index) {
         scene.light(index).radiance(path.points[last], path.backX[last], path.backY[last], path.backZ[last], value);
         if (!value.isBlack()) {
-            double weight = complement.met(path, last + 1, index);
-            addProduct(path, last, weight);
+            add(0, last, index, 1, complement.met(path, last + 1, index));
         }
     }
 
@@ -233,15 +254,15 @@ final class BiDirectionalProcessor implements RayProcessor {
         if (value.isBlack()) {
             return;
         }
-        double weight = complement.lightSample(eye, f + 1, index, lightSample, chosen, density) / chosen;
-        weight *= survive(f, weight);
-        if (weight == 0) {
+        double weight = complement.lightSample(eye, f + 1, index, lightSample, chosen, density);
+        double factor = survive(f, 1 / chosen, weight);
+        if (factor == 0) {
             return;
         }
-        weight *= lightSample.distance == Double.POSITIVE_INFINITY
+        double visible = lightSample.distance == Double.POSITIVE_INFINITY
                 ? caster.transmittanceToInfinity(p, lightSample.wiX, lightSample.wiY, lightSample.wiZ)
                 : caster.transmittance(p, lightSample.point);
-        addProduct(eye, f, weight);
+        add(1, f, index, visible * factor, weight);
     }
 
     /** Techniques with s, t ≥ 2: y_e joined to z_f. */
@@ -292,28 +313,53 @@ final class BiDirectionalProcessor implements RayProcessor {
                 value.g * lightValue.g * light.throughputG[e],
                 value.b * lightValue.b * light.throughputB[e]);
         double weight =
-                complement.connection(light, e + 1, eye, f + 1, dx, dy, dz, squared, densityFromLight, densityFromEye)
-                        / squared;
-        weight *= survive(f, weight);
-        if (weight != 0) {
-            addProduct(eye, f, weight * caster.transmittance(y, z));
+                complement.connection(light, e + 1, eye, f + 1, dx, dy, dz, squared, densityFromLight, densityFromEye);
+        double factor = survive(f, 1 / squared, weight);
+        if (factor != 0) {
+            add(e + 1, f, light.light[0], factor * caster.transmittance(y, z), weight);
         }
     }
 
-    /** Factor of the roulette on the value in hand, for an eye vertex and the weight of the contribution. */
-    private double survive(int f, double weight) {
-        double luminance = weight
+    /**
+     * Plays the roulette for the value in hand at an eye vertex.
+     *
+     * @param factor on the value
+     * @param weight of the contribution
+     * @return the factor, divided by the probability of survival; 0 if there is nothing to test for occlusion
+     */
+    private double survive(int f, double factor, double weight) {
+        double weighted = factor * weight;
+        if (weighted == 0 && listener == null) {
+            return 0;
+        }
+        double luminance = weighted
                 * Spectrum.luminance(
                         value.r * eye.throughputR[f], value.g * eye.throughputG[f], value.b * eye.throughputB[f]);
-        return roulette.survive(luminance);
+        return factor * roulette.survive(luminance);
     }
 
-    /** Adds the value in hand times the throughput of an eye vertex and a weight. */
-    private void addProduct(PathValues path, int f, double weight) {
-        if (weight != 0) {
-            radiance.r += weight * value.r * path.throughputR[f];
-            radiance.g += weight * value.g * path.throughputG[f];
-            radiance.b += weight * value.b * path.throughputB[f];
+    /** Adds the value in hand times the throughput of eye vertex f, a factor and the weight of technique (s, f + 1). */
+    private void add(int s, int f, int lightIndex, double factor, double weight) {
+        if (factor == 0) {
+            return;
         }
+        double r = factor * value.r * eye.throughputR[f];
+        double g = factor * value.g * eye.throughputG[f];
+        double b = factor * value.b * eye.throughputB[f];
+        if (listener != null) {
+            contribution.s = s;
+            contribution.t = f + 1;
+            contribution.filmX = sampleX;
+            contribution.filmY = sampleY;
+            contribution.lightIndex = lightIndex;
+            contribution.r = r;
+            contribution.g = g;
+            contribution.b = b;
+            contribution.weight = weight;
+            listener.found(contribution);
+        }
+        radiance.r += weight * r;
+        radiance.g += weight * g;
+        radiance.b += weight * b;
     }
 }

@@ -19,7 +19,7 @@ public final class BidirectionalRenderer implements Renderer {
     public BidirectionalRenderer(BidirectionalSettings settings) {
         pixelwise = new PixelwiseRenderer(
                 BidirectionalRendererFactory.ID,
-                (scene, camera, features) -> new BiDirectionalProcessor(scene, camera, features, settings));
+                (scene, camera, features) -> new BiDirectionalProcessor(scene, camera, features, settings, null));
     }
 
     @Override

@@ -1,16 +1,17 @@
 package org.daybreak.bidirectional;
 
 import org.daybreak.core.camera.Camera;
+import org.daybreak.core.camera.LensSample;
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.film.SplatBuffer;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.light.Light;
 import org.daybreak.core.material.Bsdf;
 import org.daybreak.core.sampling.Sampler;
-import org.daybreak.core.scene.RayCaster;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.tracing.Dimensions;
 import org.daybreak.tracing.LensConnection;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The light image: what light subpaths bring straight to the lens, technique t = 1 (the thesis' class of that name, §4.2). The
@@ -26,6 +27,8 @@ final class CausticMap {
     private final boolean emitters;
     private final boolean lensArea;
     private final double perPixel;
+    private final Contribution contribution;
+    private final Contribution.@Nullable Listener listener;
     private SplatBuffer splats = new SplatBuffer();
     private double luminance;
     private boolean finite;
@@ -38,17 +41,21 @@ final class CausticMap {
     CausticMap(
             Scene scene,
             Camera camera,
-            RayCaster caster,
+            LensConnection lens,
             ComplementTracer complement,
             ConnectionRoulette roulette,
             LightDensities lights,
+            Contribution contribution,
+            Contribution.@Nullable Listener listener,
             boolean emitters) {
         this.scene = scene;
         this.complement = complement;
         this.roulette = roulette;
         this.lights = lights;
         this.emitters = emitters;
-        lens = new LensConnection(camera, caster);
+        this.lens = lens;
+        this.contribution = contribution;
+        this.listener = listener;
         lensArea = camera.hasLensArea();
         perPixel = 1 / ((double) camera.width() * camera.height());
     }
@@ -98,7 +105,7 @@ final class CausticMap {
             if (lens.aimFromSurface(y, bsdf, path.backX[e], path.backY[e], path.backZ[e], u, v)) {
                 double weight = complement.lens(
                         path, e + 1, lens.lens().wiX, lens.lens().wiY, lens.lens().wiZ, lens.filmDensity());
-                splat(y, weight * path.throughputR[e], weight * path.throughputG[e], weight * path.throughputB[e]);
+                splat(y, e + 1, index, weight, path.throughputR[e], path.throughputG[e], path.throughputB[e]);
             }
         }
     }
@@ -119,27 +126,48 @@ final class CausticMap {
             double density = lens.aimFromInfinity(light, s, t, u, v);
             if (density > 0) {
                 double chosen = lights.emissionChoice(index);
-                double scale = complement.emitterAtLens(chosen * density, lens.filmDensity()) / chosen;
-                splat(path.points[0], scale, scale, scale);
+                double weight = complement.emitterAtLens(chosen * density, lens.filmDensity());
+                splat(path.points[0], 1, index, weight, 1 / chosen, 1 / chosen, 1 / chosen);
             }
         } else if (path.length() > 0 && lens.aimFromEmitter(light, path.points[0], u, v)) {
             double density = path.forward[0];
-            double scale = complement.emitterAtLens(density, lens.filmDensity()) / density;
-            splat(path.points[0], scale, scale, scale);
+            double weight = complement.emitterAtLens(density, lens.filmDensity());
+            splat(path.points[0], 1, index, weight, 1 / density, 1 / density, 1 / density);
         }
     }
 
-    private void splat(SurfacePoint y, double r, double g, double b) {
+    /** Adds what was aimed, times factors and the weight of technique (s, 1), if the lens sees the vertex. */
+    private void splat(SurfacePoint y, int s, int index, double weight, double r, double g, double b) {
         Spectrum value = lens.value();
-        double contribution = perPixel * Spectrum.luminance(r * value.r, g * value.g, b * value.b);
-        double factor = roulette.survive(contribution);
+        double weighted = perPixel * weight * Spectrum.luminance(r * value.r, g * value.g, b * value.b);
+        if (weighted == 0 && listener == null) {
+            return;
+        }
+        double factor = roulette.survive(weighted);
         if (factor == 0) {
             return;
         }
-        int before = splats.size();
-        finite &= lens.splat(y, factor * r, factor * g, factor * b, splats);
-        if (splats.size() > before) {
-            luminance += factor * contribution;
+        factor *= lens.transmittance(y);
+        if (factor == 0) {
+            return;
         }
+        double cr = factor * r * value.r;
+        double cg = factor * g * value.g;
+        double cb = factor * b * value.b;
+        LensSample at = lens.lens();
+        if (listener != null) {
+            contribution.s = s;
+            contribution.t = 1;
+            contribution.lightIndex = index;
+            contribution.filmX = at.filmX;
+            contribution.filmY = at.filmY;
+            contribution.r = cr;
+            contribution.g = cg;
+            contribution.b = cb;
+            contribution.weight = weight;
+            listener.found(contribution);
+        }
+        finite &= splats.add(at.filmX, at.filmY, weight * cr, weight * cg, weight * cb);
+        luminance += factor * weighted;
     }
 }

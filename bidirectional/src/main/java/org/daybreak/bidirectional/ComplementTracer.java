@@ -19,6 +19,9 @@ import org.daybreak.core.scene.Scene;
 final class ComplementTracer {
     private static final PathValues NONE = new PathValues();
 
+    /** Products of single ratios to a higher power would leave the range of doubles, and 0 times infinity is no weight. */
+    private static final double LARGEST_CHAINED = 4;
+
     private final Scene scene;
     private final LightDensities lights;
     private final TechniqueLimits limits;
@@ -231,7 +234,9 @@ final class ComplementTracer {
     }
 
     private double weight() {
-        return limits.leaveAll(s + t) ? chainedWeight() : MisWeight.weight(combine(), s, limits, exponent);
+        return exponent <= LARGEST_CHAINED && limits.leaveAll(s + t)
+                ? chainedWeight()
+                : MisWeight.weight(combine(), s, limits, exponent);
     }
 
     /** The weight by {@link MisWeight#chain}, for configurations whose limits of depth leave all techniques of the path. */

@@ -64,7 +64,8 @@ final class ConnectionRoulette {
      * @return the factor 1/q on it if it shall be tested, 0 if not
      */
     double survive(double contribution) {
-        if (contribution >= threshold) {
+        // What is not a number must reach whoever counts such samples.
+        if (!(contribution < threshold)) {
             return 1;
         }
         state += Mixing.GOLDEN_GAMMA;

@@ -188,9 +188,18 @@ public final class LensConnection {
         if (cr == 0 && cg == 0 && cb == 0) {
             return true;
         }
-        double visible = lens.distance == Double.POSITIVE_INFINITY
+        double visible = transmittance(p);
+        return visible == 0 || splats.add(lens.filmX, lens.filmY, visible * cr, visible * cg, visible * cb);
+    }
+
+    /**
+     * Fraction of light that gets from the vertex to the lens: a test for occlusion.
+     *
+     * @param p the vertex that was aimed from; for lights at infinity it plays no part
+     */
+    public double transmittance(SurfacePoint p) {
+        return lens.distance == Double.POSITIVE_INFINITY
                 ? caster.transmittanceToInfinity(lens.point, -lens.wiX, -lens.wiY, -lens.wiZ)
                 : caster.transmittance(p, lens.point);
-        return visible == 0 || splats.add(lens.filmX, lens.filmY, visible * cr, visible * cg, visible * cb);
     }
 }
