@@ -32,7 +32,6 @@ import org.jspecify.annotations.Nullable;
  */
 final class BiDirectionalProcessor implements RayProcessor {
     private final Scene scene;
-    private final Camera camera;
     private final RayCaster caster;
     private final LightSelection selection;
     private final LightDensities lights;
@@ -71,7 +70,6 @@ final class BiDirectionalProcessor implements RayProcessor {
             BidirectionalSettings settings,
             Contribution.@Nullable Listener listener) {
         this.scene = scene;
-        this.camera = camera;
         this.features = features;
         caster = new RayCaster(scene);
         selection = scene.lightSelection();

@@ -81,7 +81,7 @@ public record BidirectionalSettings(
             Parameter.integer(
                     "splitting",
                     "Eye paths from the first diffuse surface",
-                    1,
+                    2,
                     1,
                     1024,
                     "Number of ways in which an eye path goes on from the first surface that scatters diffusely. More help"
