@@ -16,6 +16,7 @@ import org.daybreak.core.scene.RayCaster;
 import org.daybreak.core.scene.RayKind;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.tracing.Dimensions;
+import org.daybreak.tracing.EmissionGuide;
 import org.daybreak.tracing.LensConnection;
 import org.daybreak.tracing.RayProcessor;
 import org.daybreak.tracing.RaySample;
@@ -42,6 +43,7 @@ final class BiDirectionalProcessor implements RayProcessor {
     private final TechniqueLimits limits;
     private final long maxVertices;
     private final boolean allLights;
+    private final int splitting;
     private final boolean features;
     private final boolean lensArea;
     private final PathValues eye = new PathValues();
@@ -74,17 +76,21 @@ final class BiDirectionalProcessor implements RayProcessor {
         caster = new RayCaster(scene);
         selection = scene.lightSelection();
         allLights = settings.allLights();
-        lights = new LightDensities(scene, allLights);
+        EmissionGuide guide = new EmissionGuide(scene);
+        lights = new LightDensities(scene, guide, allLights);
         limits = settings.limits(camera.isParallel());
         maxVertices = settings.maxVertices();
+        splitting = settings.eyeBranches();
         double exponent = settings.heuristicExponent();
-        lines = new LineTracer(camera, caster, lights, exponent, limits.lens(), settings.rouletteFrom());
-        complement = new ComplementTracer(scene, lights, limits, exponent);
+        lines = new LineTracer(
+                camera, caster, guide, lights, exponent, limits.lens(), settings.rouletteFrom(), splitting);
+        complement = new ComplementTracer(scene, lights, limits, exponent, splitting);
         roulette = new ConnectionRoulette(settings.roulette() == BidirectionalSettings.Roulette.EFFICIENCY);
         LensConnection lens = new LensConnection(camera, caster);
         contribution = new Contribution(light, eye, lightSample, lens.lens(), complement);
         this.listener = listener;
-        causticMap = new CausticMap(scene, camera, lens, complement, roulette, lights, contribution, listener);
+        causticMap = new CausticMap(
+                scene, camera, lens, complement, roulette, lights, contribution, listener, limits.emitterAtLens());
         lensArea = camera.hasLensArea();
     }
 
@@ -148,7 +154,19 @@ final class BiDirectionalProcessor implements RayProcessor {
         if (limits.lens()) {
             causticMap.add(light, index, subpath, maxVertices, sampler);
         }
-        for (int f = 1; f < eye.length() && f + 2 <= maxVertices; f++) {
+        addVertices(1, index, sampler);
+        if (eye.length() > 0 && eye.splits) {
+            int next = eye.length();
+            for (int branch = 0; branch < splitting; branch++) {
+                lines.traceBranch(eye, branch, sampler, emission);
+                addVertices(next, index, sampler);
+            }
+        }
+    }
+
+    /** Adds what the light subpath, or a light sample, contributes at the vertices of the eye subpath from one on. */
+    private void addVertices(int first, int index, Sampler sampler) {
+        for (int f = first; f < eye.length() && f + 2 <= maxVertices; f++) {
             if (!eye.connectable[f]) {
                 continue;
             }

@@ -14,6 +14,7 @@ import org.daybreak.core.render.ParameterValues;
  * @param heuristicExponent β of the heuristic
  * @param roulette where Russian roulette is played
  * @param rrDepth Russian roulette may end a subpath from this number of edges on
+ * @param splitting number of ways in which an eye subpath goes on from the first surface that scatters diffusely
  * @param allLights whether each sample has a light subpath and a light sample for every light, or for one that is chosen
  * @param causticMap whether light subpaths are joined to the lens
  */
@@ -24,6 +25,7 @@ public record BidirectionalSettings(
         double heuristicExponent,
         Roulette roulette,
         int rrDepth,
+        int splitting,
         boolean allLights,
         boolean causticMap) {
     /** Where Russian roulette is played. */
@@ -76,6 +78,15 @@ public record BidirectionalSettings(
                     1,
                     Integer.MAX_VALUE,
                     "Number of edges from which on a subpath may be ended at random. Does not change the mean."),
+            Parameter.integer(
+                    "splitting",
+                    "Eye paths from the first diffuse surface",
+                    1,
+                    1,
+                    1024,
+                    "Number of ways in which an eye path goes on from the first surface that scatters diffusely. More help"
+                            + " where mirrors show caustics, which light paths cannot bring to the lens. With"
+                            + " lightsPerPath all it is 1. Does not change the mean."),
             Parameter.choice(
                     "lightsPerPath",
                     "Light paths per sample",
@@ -107,8 +118,8 @@ public record BidirectionalSettings(
         }
         boolean endless = maxDepth < 0 && (maxEyeDepth < 0 || maxLightDepth < 0);
         if (roulette == Roulette.NONE && endless) {
-            throw new ParameterException("without Russian roulette paths need a limit: set maxDepth, or maxEyeDepth"
-                    + " and maxLightDepth");
+            throw new ParameterException(
+                    "without Russian roulette paths need a limit: set maxDepth, or maxEyeDepth" + " and maxLightDepth");
         }
     }
 
@@ -132,8 +143,14 @@ public record BidirectionalSettings(
                     default -> Roulette.EFFICIENCY;
                 },
                 values.integer("rrDepth"),
+                values.integer("splitting"),
                 values.choice("lightsPerPath").equals("all"),
                 values.flag("causticMap"));
+    }
+
+    /** In how many ways an eye subpath goes on from the first vertex that can be connected. */
+    int eyeBranches() {
+        return allLights ? 1 : splitting;
     }
 
     /** Largest number of edges from which on Russian roulette may end subpaths; beyond all paths if it may not. */

@@ -24,6 +24,7 @@ final class CausticMap {
     private final ComplementTracer complement;
     private final ConnectionRoulette roulette;
     private final LightDensities lights;
+    private final boolean emitters;
     private final boolean lensArea;
     private final double perPixel;
     private final Contribution contribution;
@@ -32,6 +33,11 @@ final class CausticMap {
     private double luminance;
     private boolean finite;
 
+    /**
+     * Creates a map.
+     *
+     * @param emitters whether lights are joined to the lens themselves: {@link TechniqueLimits#emitterAtLens}
+     */
     CausticMap(
             Scene scene,
             Camera camera,
@@ -40,11 +46,13 @@ final class CausticMap {
             ConnectionRoulette roulette,
             LightDensities lights,
             Contribution contribution,
-            Contribution.@Nullable Listener listener) {
+            Contribution.@Nullable Listener listener,
+            boolean emitters) {
         this.scene = scene;
         this.complement = complement;
         this.roulette = roulette;
         this.lights = lights;
+        this.emitters = emitters;
         this.lens = lens;
         this.contribution = contribution;
         this.listener = listener;
@@ -78,7 +86,7 @@ final class CausticMap {
      */
     void add(PathValues path, int index, int subpath, long maxVertices, Sampler sampler) {
         Light light = scene.light(index);
-        if (!light.isDelta() && maxVertices >= 2) {
+        if (emitters && !light.isDelta() && maxVertices >= 2) {
             addEmitter(path, light, index, subpath, sampler);
         }
         for (int e = 1; e < path.length() && e + 2 <= maxVertices; e++) {

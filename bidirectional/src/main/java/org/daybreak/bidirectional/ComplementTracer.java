@@ -3,6 +3,7 @@ package org.daybreak.bidirectional;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.light.Light;
 import org.daybreak.core.light.LightSample;
+import org.daybreak.core.material.Bsdf;
 import org.daybreak.core.material.Scattering;
 import org.daybreak.core.material.TransportMode;
 import org.daybreak.core.math.Densities;
@@ -25,6 +26,7 @@ final class ComplementTracer {
     private final LightDensities lights;
     private final TechniqueLimits limits;
     private final double exponent;
+    private final int splitting;
     private final CombinedPathValues combined = new CombinedPathValues();
 
     private PathValues light = NONE;
@@ -50,11 +52,12 @@ final class ComplementTracer {
     private double nextEvent;
     private boolean hittable;
 
-    ComplementTracer(Scene scene, LightDensities lights, TechniqueLimits limits, double exponent) {
+    ComplementTracer(Scene scene, LightDensities lights, TechniqueLimits limits, double exponent, int splitting) {
         this.scene = scene;
         this.lights = lights;
         this.limits = limits;
         this.exponent = exponent;
+        this.splitting = splitting;
     }
 
     /**
@@ -81,7 +84,8 @@ final class ComplementTracer {
         int f = eyeVertices - 1;
         SurfacePoint y = lightPath.points[e];
         SurfacePoint z = eyePath.points[f];
-        lightEnd = Densities.solidAngleToArea(densityFromEye, squared, y.geometricCosine(dx, dy, dz));
+        lightEnd = samples(eyePath, f)
+                * Densities.solidAngleToArea(densityFromEye, squared, y.geometricCosine(dx, dy, dz));
         eyeEnd = Densities.solidAngleToArea(densityFromLight, squared, z.geometricCosine(dx, dy, dz));
         lightBefore = densityBefore(lightPath, e, dx, dy, dz, TransportMode.RADIANCE);
         eyeBefore = f > 1 ? densityBefore(eyePath, f, -dx, -dy, -dz, TransportMode.IMPORTANCE) : 0;
@@ -98,7 +102,7 @@ final class ComplementTracer {
         join(lightPath, lightVertices, NONE, 1);
         int e = lightVertices - 1;
         lightEnd = filmDensity;
-        lightBefore = densityBefore(lightPath, e, dx, dy, dz, TransportMode.RADIANCE);
+        lightBefore = samples(lightPath.bsdfs[e]) * densityBefore(lightPath, e, dx, dy, dz, TransportMode.RADIANCE);
         eyeEnd = 0;
         eyeBefore = 0;
         return weight();
@@ -135,13 +139,14 @@ final class ComplementTracer {
         lights.set(index, sample.point, z, sample.wiX, sample.wiY, sample.wiZ, chosen, sample.density);
         Light l = scene.light(index);
         hittable = !l.isDelta();
+        double samples = samples(eyePath, f);
         if (!hittable) {
             lightEnd = 0;
         } else if (l.isInfinite()) {
-            lightEnd = densityFromEye;
+            lightEnd = samples * densityFromEye;
         } else {
             double cosine = sample.point.geometricCosine(sample.wiX, sample.wiY, sample.wiZ);
-            lightEnd = Densities.solidAngleToArea(densityFromEye, sample.distance * sample.distance, cosine);
+            lightEnd = samples * Densities.solidAngleToArea(densityFromEye, sample.distance * sample.distance, cosine);
         }
         first = lights.first;
         nextEvent = lights.nextEvent;
@@ -190,6 +195,16 @@ final class ComplementTracer {
         eyeEnd = first;
         eyeBefore = lights.second;
         return weight();
+    }
+
+    /** In how many ways the eye subpath would go on from one of its vertices. */
+    private int samples(PathValues eyePath, int vertex) {
+        return vertex == eyePath.fork ? samples(eyePath.bsdfs[vertex]) : 1;
+    }
+
+    /** The same for the material of the first vertex from the lens that can be connected. */
+    private int samples(Bsdf bsdf) {
+        return bsdf.maybeTransparent() ? 1 : splitting;
     }
 
     private void join(PathValues lightPath, int lightVertices, PathValues eyePath, int eyeVertices) {
@@ -246,7 +261,7 @@ final class ComplementTracer {
         } else {
             double own = eye.forward[t - 1];
             if (t == 2) {
-                sum += limits.lens() ? power(first / own) : 0;
+                sum += limits.emitterAtLens() ? power(first / own) : 0;
             } else {
                 sum += eye.delta[t - 2] ? 0 : power(nextEvent / own);
                 sum += power(first / own) * power(eyeBefore / eye.forward[t - 2]) * eye.tail[t - 2];

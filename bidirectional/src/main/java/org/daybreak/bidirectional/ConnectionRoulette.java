@@ -9,8 +9,9 @@ import org.daybreak.core.sampling.Mixing;
  *
  * <p>σ and n are running averages over the samples of a work unit, so they depend on nothing but the unit. δ is set before a
  * sample and kept for all of it, and is 0 for the first ones: there is no bias. σ comes from the differences of
- * successive samples, which mostly are in one pixel, so that it is not the contrast of the image; and from their mean instead of
- * their mean square, as one bright sample would end the tests in a whole neighbourhood.
+ * successive samples, which mostly are in one pixel, so that it is not the contrast of the image. Their mean is taken instead of
+ * their mean square, and each counts as a small multiple of the mean so far at most: rare bright samples would else end all tests in
+ * a neighbourhood, which shows as dark streaks.
  */
 final class ConnectionRoulette {
     private static final int WARM_UP = 8;
@@ -18,11 +19,15 @@ final class ConnectionRoulette {
     /** Weight of a new sample in the averages once there are many. */
     private static final double LEAST_SHARE = 1.0 / 256;
 
+    /** So many times the average so far is the most that a sample counts. */
+    private static final double MOST = 4;
+
     /** For a normal distribution σ is this many times the mean absolute difference of two samples. */
     private static final double DEVIATION = 0.5 * Math.sqrt(Math.PI);
 
     private final boolean on;
     private double difference;
+    private double mean;
     private double rays;
     private double last;
     private int samples;
@@ -37,6 +42,7 @@ final class ConnectionRoulette {
     void beginUnit() {
         samples = 0;
         difference = 0;
+        mean = 0;
         rays = 0;
         threshold = 0;
     }
@@ -79,7 +85,10 @@ final class ConnectionRoulette {
         }
         if (samples > 0) {
             double share = Math.max(1.0 / samples, LEAST_SHARE);
-            difference += share * (Math.abs(luminance - last) - difference);
+            double step = Math.abs(luminance - last);
+            // Growth from nothing is by the mean luminance, bounded likewise.
+            mean += share * (Math.min(luminance, MOST * mean + (samples < WARM_UP ? luminance : 0)) - mean);
+            difference += share * (Math.min(step, MOST * difference + mean) - difference);
             rays += share * (cost - rays);
         }
         last = luminance;

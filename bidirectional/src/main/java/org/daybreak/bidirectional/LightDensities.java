@@ -7,12 +7,14 @@ import org.daybreak.core.light.LightSelection;
 import org.daybreak.core.material.Bsdf;
 import org.daybreak.core.math.Densities;
 import org.daybreak.core.scene.Scene;
+import org.daybreak.tracing.EmissionGuide;
 
 /** Densities of points on lights and of the rays that leave them, with the choice of the light. One object per worker. */
 final class LightDensities {
     private final Scene scene;
     private final LightSelection selection;
     private final boolean all;
+    private final EmissionGuide guide;
     private final EmissionDensity emission = new EmissionDensity();
 
     /** Density of x₀ as the start of a light subpath: per area, at infinity per solid angle; choice of the light included. */
@@ -24,8 +26,9 @@ final class LightDensities {
     /** Density of x₀ by next-event estimation from x₁, as {@link #first}. */
     double nextEvent;
 
-    LightDensities(Scene scene, boolean all) {
+    LightDensities(Scene scene, EmissionGuide guide, boolean all) {
         this.scene = scene;
+        this.guide = guide;
         this.all = all;
         selection = scene.lightSelection();
     }
@@ -79,7 +82,7 @@ final class LightDensities {
             double chosen,
             double incident) {
         Light light = scene.light(index);
-        light.emissionDensity(onLight, -wiX, -wiY, -wiZ, emission);
+        guide.density(index, onLight, p, -wiX, -wiY, -wiZ, emission);
         double probability = emissionChoice(index);
         double cosine = p.geometricCosine(wiX, wiY, wiZ);
         if (light.isInfinite()) {

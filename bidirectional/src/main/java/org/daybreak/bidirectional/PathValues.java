@@ -17,7 +17,8 @@ import org.daybreak.core.material.NullBsdf;
  * two neighbours with the factor |cos θ|·η′/η of the side that is left to (η′ there, η where the walk came from) in place of a
  * density per solid angle: the conserved étendue makes the infinite factors of the two directions cancel up to just that.
  * Its discrete probability, that of passing alpha masks and of surviving Russian roulette are the same in all ways to make a path, or left
- * out in all, and appear in neither.
+ * out in all, and appear in neither. Where an eye subpath splits into n, the density of the next vertex counts n times: there are n
+ * samples of it.
  */
 public final class PathValues {
     private static final int INITIAL_CAPACITY = 16;
@@ -73,6 +74,12 @@ public final class PathValues {
      * {@link #reverse} of the vertex before is.
      */
     double[] tail = new double[0];
+
+    /** Eye subpaths: the first vertex that can be connected; 0 if there is none yet. */
+    int fork;
+
+    /** True if the eye subpath splits at {@link #fork}, and ends there until it is continued. */
+    boolean splits;
 
     /** True if the first vertex of this light subpath, or the last one of this eye subpath, lies at infinity. */
     boolean infinite;
@@ -146,6 +153,8 @@ public final class PathValues {
         connectable[0] = true;
         light[0] = lightIndex;
         surface[0] = 0;
+        fork = 0;
+        splits = false;
         infinite = false;
         deltaLight = false;
         nextEventRatio = 0;

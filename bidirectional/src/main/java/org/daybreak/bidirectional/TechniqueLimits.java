@@ -14,10 +14,18 @@ record TechniqueLimits(int maxEyeVertices, int maxLightVertices, boolean lens, b
         return vertices <= maxEyeVertices && vertices - 1 <= maxLightVertices;
     }
 
+    /**
+     * Whether lights that are seen directly are joined to the lens (s = t = 1): only if eye subpaths cannot meet them. These do
+     * better than a comparison of densities can know, as each pixel has samples of its own.
+     */
+    boolean emitterAtLens() {
+        return lens && maxEyeVertices == 1;
+    }
+
     /** True if technique s can make the path. */
     boolean admits(CombinedPathValues path, int s) {
         int t = path.length() - s;
-        if (t < 1 || t > maxEyeVertices || s > maxLightVertices || (t == 1 && !lens)) {
+        if (t < 1 || t > maxEyeVertices || s > maxLightVertices || (t == 1 && !(s == 1 ? emitterAtLens() : lens))) {
             return false;
         }
         return s == 0 ? path.hittable : !path.delta[s - 1] && !path.delta[s];

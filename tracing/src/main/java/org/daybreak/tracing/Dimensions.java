@@ -28,7 +28,7 @@ public final class Dimensions {
     private static final int VERTICES = 1 << 18;
 
     /** Added to the vertex number once a path has split: see {@link org.daybreak.core.sampling.Sampler#branch}. */
-    static final int SPLIT = VERTICES;
+    public static final int SPLIT = VERTICES;
 
     private Dimensions() {}
 
@@ -59,8 +59,7 @@ public final class Dimensions {
      * @param subpath number of the light subpath within the sample
      */
     public static int lightPath(int vertex, int subpath) {
-        return LIGHT_PATHS
-                + GROUP * ((subpath & LIGHT_SUBPATHS - 1) * LIGHT_VERTICES + (vertex & LIGHT_VERTICES - 1));
+        return LIGHT_PATHS + GROUP * ((subpath & LIGHT_SUBPATHS - 1) * LIGHT_VERTICES + (vertex & LIGHT_VERTICES - 1));
     }
 
     /** The first of two at a vertex of a light subpath: lobe, Russian roulette. For vertex 0: the light. */

@@ -31,6 +31,7 @@ final class LightTracer {
     private final LightSelection selection;
     private final RayCaster caster;
     private final LensConnection lens;
+    private final EmissionGuide guide;
     private final SobolSampler sampler;
     private final int edgeLimit;
     private final int rrDepth;
@@ -44,6 +45,7 @@ final class LightTracer {
         selection = scene.lightSelection();
         caster = new RayCaster(scene);
         lens = new LensConnection(camera, caster);
+        guide = new EmissionGuide(scene);
         lensArea = camera.hasLensArea();
         sampler = new SobolSampler(seed, StreamDomain.LIGHT_PATH, GROUP);
         edgeLimit = settings.edgeLimit();
@@ -81,7 +83,7 @@ final class LightTracer {
                 finite = lens.splat(emission.point, 1 / chosen, 1 / chosen, 1 / chosen, splats);
             }
         }
-        if (!light.sampleEmission(positionU, positionV, directionU, directionV, emission)) {
+        if (!guide.sample(index, positionU, positionV, directionU, directionV, emission)) {
             return finite;
         }
         if (!light.isInfinite() && !light.isDelta()) {
