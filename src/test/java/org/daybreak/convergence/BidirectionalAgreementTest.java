@@ -1,5 +1,6 @@
 package org.daybreak.convergence;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.ArrayList;
@@ -8,11 +9,18 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.daybreak.core.film.FilmImage;
+import org.daybreak.core.film.FilmSettings;
+import org.daybreak.core.film.ReconstructionFilter;
+import org.daybreak.core.render.Renderer;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.scene.SceneCompiler;
 import org.daybreak.core.scene.SceneGraph;
+import org.daybreak.core.testing.Grids;
 import org.daybreak.core.testing.ZTest;
+import org.daybreak.scenes.description.SceneException;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -27,7 +35,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  */
 class BidirectionalAgreementTest {
     private static final double SIGNIFICANCE = 1e-4;
-    private static final int RUNS = 24;
+    private static final int RUNS = 16;
     private static final int REFERENCE_FACTOR = 32;
     private static final List<String> EXPONENTS = List.of("2", "1", "0");
 
@@ -37,13 +45,16 @@ class BidirectionalAgreementTest {
         return scenes;
     }
 
-    /** Each scene with the default exponent and with one of the others. */
+    /** Each scene with the default exponent, every other one with one of the others, too. */
     static Stream<Arguments> scenesAndExponents() {
         List<Arguments> list = new ArrayList<>();
         int number = 0;
         for (String name : scenes().keySet()) {
             list.add(Arguments.of(name, "2"));
-            list.add(Arguments.of(name, EXPONENTS.get(1 + number++ % 2)));
+            if (number % 2 == 0) {
+                list.add(Arguments.of(name, number % 4 == 0 ? "1" : "0"));
+            }
+            number++;
         }
         return list.stream();
     }
@@ -56,21 +67,23 @@ class BidirectionalAgreementTest {
     @ParameterizedTest
     @MethodSource("scenesAndExponents")
     void agreesWithPathTracing(String name, String exponent) {
-        checkAgainstPath(name, exponent, 1, 8, 0.06);
+        checkAgainstPath(name, exponent, 1, 8, 0.1);
     }
 
     @Tag("reference")
     @ParameterizedTest
     @MethodSource("scenesAndAllExponents")
     void agreesCloselyWithPathTracing(String name, String exponent) {
-        checkAgainstPath(name, exponent, REFERENCE_FACTOR, 4, 0.015);
+        checkAgainstPath(name, exponent, REFERENCE_FACTOR, 4, 0.025);
     }
 
     private static void checkAgainstPath(String name, String exponent, int factor, int tile, double detectable) {
         Scene scene = SceneCompiler.compile(scenes().get(name));
-        Runs path = Runs.of(Rendering.renderer("path"), scene, 3000, RUNS, 8L * factor);
+        Runs path = Runs.of(Rendering.renderer("path"), scene, 3000, RUNS, 6L * factor);
         Runs both = runs(scene, 6000, Map.of("heuristicExponent", exponent), 3L * factor);
-        compare(name + ", β = " + exponent, path, both, tile, detectable);
+        // Equal weights let the variance of the worst technique in.
+        double found = (exponent.equals("0") || name.equals("within glass") ? 3 : 1) * detectable;
+        compare(name + ", β = " + exponent, path, both, tile, found);
     }
 
     /** Settings that must not change the mean, each against another one. */
@@ -92,6 +105,9 @@ class BidirectionalAgreementTest {
                         "maxDepth=6 russianRoulette=none",
                         "maxDepth=6 russianRoulette=efficiency rrDepth=1"),
                 Arguments.of("sphere", "russianRoulette=throughput", "russianRoulette=efficiency"),
+                Arguments.of("materials 4", "", "splitting=4"),
+                Arguments.of("glass and metal under a panorama", "", "splitting=3 heuristicExponent=1"),
+                Arguments.of("masks", "splitting=5 rrDepth=1", "maxLightDepth=1 splitting=2"),
                 Arguments.of("rough materials", "", "maxEyeDepth=2"),
                 Arguments.of("rough materials", "", "maxEyeDepth=1"),
                 Arguments.of("rough materials", "", "maxLightDepth=1"),
@@ -103,14 +119,14 @@ class BidirectionalAgreementTest {
     @ParameterizedTest
     @MethodSource("settings")
     void settingsDoNotChangeTheMean(String name, String first, String second) {
-        checkSettings(name, first, second, 1, 8, 0.06);
+        checkSettings(name, first, second, 1, 8, 0.1);
     }
 
     @Tag("reference")
     @ParameterizedTest
     @MethodSource("settings")
     void settingsHardlyChangeTheMean(String name, String first, String second) {
-        checkSettings(name, first, second, REFERENCE_FACTOR, 4, 0.015);
+        checkSettings(name, first, second, REFERENCE_FACTOR, 4, 0.025);
     }
 
     private static void checkSettings(
@@ -119,6 +135,31 @@ class BidirectionalAgreementTest {
         Runs runs1 = runs(scene, 7000, parse(first), 4L * factor);
         Runs runs2 = runs(scene, 8000, parse(second), 4L * factor);
         compare(name + ", " + first + " and " + second, runs1, runs2, tile, detectable);
+    }
+
+    /** Light subpaths of the samples of a crop are as many as those, and find the pixels of the crop as often as others. */
+    @Test
+    void cropHasTheMeansOfThatPartOfTheImage() throws SceneException {
+        Renderer renderer = Rendering.renderer("bidirectional");
+        SceneGraph graph = ShippedScenes.read("cornell_spheres/scene.xml").graph();
+        Runs whole = Runs.of(renderer, ShippedScenes.compile(graph, 48, 32), 9000, RUNS, 4);
+        FilmSettings.Crop crop = new FilmSettings.Crop(12, 8, 24, 16);
+        graph.setFilm(new FilmSettings(48, 32, crop, ReconstructionFilter.BOX));
+        Scene scene = SceneCompiler.compile(graph);
+        double[][] expected = new double[RUNS][];
+        double[][] actual = new double[RUNS][];
+        for (int i = 0; i < RUNS; i++) {
+            double[] part = new double[crop.width() * crop.height()];
+            FilmImage image = whole.images().get(i);
+            for (int j = 0; j < part.length; j++) {
+                part[j] = image.get("G", crop.x() + j % crop.width(), crop.y() + Math.floorDiv(j, crop.width()));
+            }
+            expected[i] = Grids.tileMeans(part, crop.width(), 8);
+            float[] values = Rendering.render(renderer, scene, 9500 + i, 8).channel("G");
+            assertEquals(part.length, values.length);
+            actual[i] = Grids.tileMeans(Runs.toDoubles(values), crop.width(), 8);
+        }
+        ZTest.assertNoneRejected("crop", ZTest.tilesOfRuns(expected, actual), SIGNIFICANCE);
     }
 
     private static Map<String, String> parse(String settings) {
