@@ -46,7 +46,7 @@ class WeightsTest {
     private static final int PATHS = 4600;
 
     private static final int PATHS_OF_OTHER_SCENES = 1000;
-    private static final int REFERENCE_FACTOR = 20;
+    private static final int REFERENCE_FACTOR = 10;
 
     static List<String> shippedScenes() throws IOException {
         Path folder = ShippedScenes.repository().resolve("scenes");

@@ -85,7 +85,7 @@ class TechniquesTest {
     @ParameterizedTest
     @MethodSource("subjects")
     void techniquesAgreeClosely(Subject subject) {
-        check(subject, 64);
+        check(subject, 16);
     }
 
     private static void check(Subject subject, int factor) {
