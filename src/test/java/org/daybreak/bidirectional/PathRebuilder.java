@@ -13,6 +13,7 @@ import org.daybreak.core.material.BsdfSample;
 import org.daybreak.core.material.Scattering;
 import org.daybreak.core.material.TransportMode;
 import org.daybreak.core.scene.Scene;
+import org.daybreak.tracing.EmissionGuide;
 
 /**
  * The densities of a full path by every technique, from its geometry alone: slow, by the definitions, and with nothing of the
@@ -22,8 +23,12 @@ final class PathRebuilder {
     private final FullPath path;
     private final Scene scene;
     private final Light light;
+    private final EmissionGuide guide;
     private final boolean allLights;
     private final int k;
+
+    /** The first vertex from the lens that can be connected; k if there is none. */
+    private final int fork;
 
     /** Density of x_i as sampled from x_{i−1}; of x₀ as the start of a light subpath. */
     final double[] fromLight;
@@ -37,12 +42,21 @@ final class PathRebuilder {
     double incident;
     double nextEvent;
 
-    PathRebuilder(FullPath path, boolean allLights) {
+    /**
+     * Computes all densities.
+     *
+     * @param guide how light subpaths leave the lights
+     * @param allLights whether every light has its light subpath and light sample
+     * @param splitting in how many ways eye subpaths go on from the first vertex that can be connected
+     */
+    PathRebuilder(FullPath path, EmissionGuide guide, boolean allLights, int splitting) {
         this.path = path;
-        this.allLights = allLights;
+        this.guide = guide;
         scene = path.scene;
         light = scene.light(path.lightIndex);
         k = path.edgeCount();
+        this.allLights = allLights;
+        fork = fork();
         fromLight = new double[k + 1];
         fromEye = new double[k + 1];
         setEmission();
@@ -56,6 +70,18 @@ final class PathRebuilder {
             boolean missed = i == 0 && light.isDelta();
             fromEye[i] = missed ? 0 : direction(i + 1, 1, TransportMode.RADIANCE) * toArea(i, i);
         }
+        if (fork < k && !bsdf(fork).maybeTransparent()) {
+            fromEye[fork - 1] *= splitting;
+        }
+    }
+
+    private int fork() {
+        for (int i = k - 1; i > 0; i--) {
+            if (bsdf(i).connectable()) {
+                return i;
+            }
+        }
+        return k;
     }
 
     FullPath path() {
@@ -65,7 +91,7 @@ final class PathRebuilder {
     private void setEmission() {
         double[] e = path.edges[0];
         EmissionDensity emission = new EmissionDensity();
-        light.emissionDensity(path.points[0], e[0], e[1], e[2], emission);
+        guide.density(path.lightIndex, path.points[0], path.points[1], e[0], e[1], e[2], emission);
         double choice = allLights ? 1 : scene.lightSelection().emissionProbability(path.lightIndex);
         fromLight[0] = choice * (path.infinite ? emission.direction : emission.position);
         if (k == 1 && path.infinite && path.camera.isParallel()) {
@@ -188,6 +214,11 @@ final class PathRebuilder {
         return s == 0 ? !light.isDelta() : path.joinable(s) && (s < k || lens);
     }
 
+    /** Whether this is a light that the lens sees directly: joined to it only if eye subpaths cannot meet it. */
+    boolean isDirectView() {
+        return k == 1;
+    }
+
     /** The weight of technique s asked from the program. */
     double weight(ComplementTracer complement, int s, double exponent, boolean lens) {
         double[] e = s == 0 ? new double[3] : path.edges[s - 1];
@@ -259,6 +290,7 @@ final class PathRebuilder {
         values.reserve(t);
         values.setLength(t);
         values.infinite = t == k + 1 && path.infinite;
+        values.fork = fork < k && k - fork < t ? k - fork : 0;
         for (int j = 0; j < t; j++) {
             int i = k - j;
             values.points[j].set(path.points[i]);

@@ -19,7 +19,6 @@ import org.daybreak.tracing.RaySample;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 class BidirectionalRendererTest {
     private static BidirectionalSettings parse(Map<String, String> values) {
@@ -30,7 +29,7 @@ class BidirectionalRendererTest {
     @Test
     void defaultsHaveNoLimits() {
         assertEquals(
-                new BidirectionalSettings(-1, -1, -1, 2, BidirectionalSettings.Roulette.EFFICIENCY, 3, false, true),
+                new BidirectionalSettings(-1, -1, -1, 2, BidirectionalSettings.Roulette.EFFICIENCY, 3, 1, false, true),
                 parse(Map.of()));
     }
 
@@ -56,6 +55,7 @@ class BidirectionalRendererTest {
         "heuristicExponent, NaN",
         "russianRoulette, some",
         "rrDepth, 0",
+        "splitting, 0",
         "lightsPerPath, two",
         "causticMap, 1",
     })
@@ -85,14 +85,14 @@ class BidirectionalRendererTest {
 
     /** After warming up, samples are taken without allocation; the limit is 1 byte per sample. */
     @ParameterizedTest
-    @ValueSource(strings = {"one", "all"})
-    void samplesAllocateNothing(String lights) {
+    @CsvSource({"one, 1", "one, 3", "all, 1"})
+    void samplesAllocateNothing(String lights, String splitting) {
         Scene scene = TestScenes.everything(24, 18);
         Sampler sampler = new SobolSampling().newSampler(1, 64);
         RaySample sample = new RaySample();
         SplatBuffer splats = new SplatBuffer();
         BiDirectionalProcessor processor =
-                new BiDirectionalProcessor(scene, scene.camera(), true, parse(Map.of("lightsPerPath", lights)), null);
+                new BiDirectionalProcessor(scene, scene.camera(), true, parse(Map.of("lightsPerPath", lights, "splitting", splitting)), null);
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         int samples = 24 * 18 * 16;
         for (int round = 0; ; round++) {
