@@ -106,12 +106,11 @@ public interface Bsdf {
     }
 
     /**
-     * True if the material tells directions around the normal apart, so that the shading frame must lie along the texture
-     * coordinates ({@link SurfacePoint#sx}) and the derivatives {@link SurfacePoint#uLength} and following must be there.
-     * Otherwise they are arbitrary.
+     * Whether the material tells directions around the normal apart, so that the shading frame must lie along texture
+     * coordinates ({@link SurfacePoint#sx}) and the derivatives {@link SurfacePoint#uAlongS} and following must be there.
      */
-    default boolean needsTangents() {
-        return false;
+    default TangentFrame tangentFrame() {
+        return TangentFrame.ARBITRARY;
     }
 
     /**

@@ -29,8 +29,8 @@ public final class Mask implements Bsdf {
     }
 
     @Override
-    public boolean needsTangents() {
-        return nested.needsTangents();
+    public TangentFrame tangentFrame() {
+        return nested.tangentFrame();
     }
 
     @Override

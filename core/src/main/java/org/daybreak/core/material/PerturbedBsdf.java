@@ -17,10 +17,19 @@ abstract class PerturbedBsdf implements Bsdf {
     private static final double GRAZING = 1e-12;
 
     private final Bsdf nested;
+    private final TangentFrame tangentFrame;
     private final boolean shadowed;
 
-    PerturbedBsdf(Bsdf nested, boolean shadowed) {
+    /**
+     * Wraps a material.
+     *
+     * @param map the texture that tilts the normal
+     * @throws IllegalArgumentException if the nested material has a map over other texture coordinates
+     */
+    PerturbedBsdf(Texture map, Bsdf nested, boolean shadowed) {
         this.nested = nested;
+        this.tangentFrame =
+                (map.usesSecondUvs() ? TangentFrame.SECOND_UVS : TangentFrame.FIRST_UVS).and(nested.tangentFrame());
         this.shadowed = shadowed;
     }
 
@@ -36,8 +45,8 @@ abstract class PerturbedBsdf implements Bsdf {
     }
 
     @Override
-    public final boolean needsTangents() {
-        return true;
+    public final TangentFrame tangentFrame() {
+        return tangentFrame;
     }
 
     @Override

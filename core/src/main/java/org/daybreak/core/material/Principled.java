@@ -114,8 +114,8 @@ public final class Principled implements Bsdf {
     }
 
     @Override
-    public boolean needsTangents() {
-        return !anisotropic.isZero();
+    public TangentFrame tangentFrame() {
+        return anisotropic.isZero() ? TangentFrame.ARBITRARY : TangentFrame.ANY_UVS;
     }
 
     @Override

@@ -84,8 +84,8 @@ public final class PrincipledThin implements Bsdf {
     }
 
     @Override
-    public boolean needsTangents() {
-        return !anisotropic.isZero();
+    public TangentFrame tangentFrame() {
+        return anisotropic.isZero() ? TangentFrame.ARBITRARY : TangentFrame.ANY_UVS;
     }
 
     @Override

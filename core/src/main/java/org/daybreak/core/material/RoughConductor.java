@@ -68,8 +68,8 @@ public final class RoughConductor implements Bsdf {
     }
 
     @Override
-    public boolean needsTangents() {
-        return roughness.anisotropic();
+    public TangentFrame tangentFrame() {
+        return roughness.tangentFrame();
     }
 
     @Override

@@ -54,8 +54,8 @@ public final class RoughDielectric implements Bsdf {
     }
 
     @Override
-    public boolean needsTangents() {
-        return roughness.anisotropic();
+    public TangentFrame tangentFrame() {
+        return roughness.tangentFrame();
     }
 
     @Override
