@@ -68,7 +68,7 @@ public final class SceneReader {
         }
         Optional<SceneDescription> description = GltfReader.isGltf(file)
                 ? GltfReader.read(file, problems)
-                : Optional.of(ModelReader.read(file, problems));
+                : Optional.of(ModelReader.read(file, images, problems));
         if (description.isEmpty()) {
             throw new SceneException(problems.errors());
         }
