@@ -117,15 +117,8 @@ public final class Blend implements Bsdf {
             out.density *= chosen ? t : 1 - t;
             return true;
         }
-        double eta = out.eta;
         double density = evaluate(point, woX, woY, woZ, out.wiX, out.wiY, out.wiZ, mode, out.weight);
-        if (density == 0) {
-            return false;
-        }
-        out.setContinuous(density);
-        out.eta = eta;
-        out.weight.set(out.weight.r / density, out.weight.g / density, out.weight.b / density);
-        return true;
+        return out.complete(density, out.eta);
     }
 
     @Override

@@ -19,9 +19,11 @@ import org.daybreak.core.geometry.SurfacePoint;
 public interface Bsdf {
     /**
      * True if some lobe has a density per solid angle, so that vertices of this material can be connected to lights,
-     * the lens or other subpaths.
+     * the lens or other subpaths. Assumed unless a material knows better.
      */
-    boolean connectable();
+    default boolean connectable() {
+        return true;
+    }
 
     /**
      * True if some lobe, other than passing straight through a mask, scatters light to the other side of the surface.

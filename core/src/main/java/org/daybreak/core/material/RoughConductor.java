@@ -78,11 +78,6 @@ public final class RoughConductor implements Bsdf {
     }
 
     @Override
-    public boolean connectable() {
-        return true;
-    }
-
-    @Override
     public double evaluate(
             SurfacePoint point,
             double woX,
