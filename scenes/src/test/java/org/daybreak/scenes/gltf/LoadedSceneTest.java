@@ -14,6 +14,8 @@ import java.nio.file.Path;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
+import org.daybreak.core.camera.Camera;
+import org.daybreak.core.camera.CameraRay;
 import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.core.material.Mask;
 import org.daybreak.core.material.PrincipledThin;
@@ -69,6 +71,24 @@ class LoadedSceneTest {
         assertEquals(1440, file.graph().film().width());
         // A thing that glows is a light, but hardly one to see the model by: the view adds its own.
         assertEquals(2, file.graph().root().children().size());
+    }
+
+    /** The picture shows 2·xmag across and 2·ymag down of the plane through the camera, along its −z. */
+    @Test
+    void orthographicCamerasSeeTheirMagnification() throws IOException, SceneException {
+        SceneFile file = load(MaterialTest.text("'POSITION':0", "{}")
+                .with("cameras", "[{'type':'orthographic','orthographic':{'xmag':3,'ymag':1.5,'znear':0,'zfar':9}}]")
+                .with("nodes", "[{'mesh':0},{'camera':0,'translation':[10,20,30],'scale':[1,1,2]}]"));
+        Camera camera = SceneCompiler.compile(file.graph()).camera();
+        assertEquals(1440, camera.width());
+        assertEquals(720, camera.height());
+        CameraRay ray = new CameraRay();
+        for (double[] fraction : new double[][] {{0, 0}, {1, 0}, {0.5, 0.75}}) {
+            assertTrue(camera.sampleRay(1440 * fraction[0], 720 * fraction[1], 0.5, 0.5, ray));
+            assertEquals(10 + 3 * (2 * fraction[0] - 1), ray.ox, 1e-9);
+            assertEquals(20 + 1.5 * (1 - 2 * fraction[1]), ray.oy, 1e-9);
+            assertEquals(-1, ray.dz, 1e-12);
+        }
     }
 
     @Test

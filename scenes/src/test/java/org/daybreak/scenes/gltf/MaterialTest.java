@@ -190,6 +190,18 @@ class MaterialTest {
         assertEquals(0, Descriptions.number(black, "reflectance"));
     }
 
+    /** Both sides of what reflects look alike, as light must meet the same on its way there and back. */
+    @Test
+    void sidesDoNotDependOnDoubleSided() throws IOException {
+        for (String sides : List.of("", "'doubleSided':false", "'doubleSided':true")) {
+            assertEquals("twosided", bsdf("{" + sides + "}").type());
+        }
+        String unlit = "{'doubleSided':true,'extensions':{'KHR_materials_unlit':{}}}";
+        assertEquals(
+                List.of("/materials/0 emits on the front of its surfaces only"),
+                read("'POSITION':0", unlit).warnings());
+    }
+
     @Test
     void normalMaps() throws IOException {
         ObjectDescription map = Descriptions.child(bsdf("{'normalTexture':{'index':0,'scale':0.5}}"), ObjectKind.BSDF);
