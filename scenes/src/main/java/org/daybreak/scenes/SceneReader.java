@@ -90,7 +90,7 @@ public final class SceneReader {
         }
     }
 
-    private static Optional<SceneDescription> describeModel(
+    private Optional<SceneDescription> describeModel(
             Path file, Map<String, String> defines, ProblemList problems) {
         for (String name : new TreeSet<>(defines.keySet())) {
             problems.error(
@@ -98,6 +98,6 @@ public final class SceneReader {
         }
         return GltfReader.isGltf(file)
                 ? GltfReader.read(file, problems)
-                : Optional.of(ModelReader.read(file, problems));
+                : Optional.of(ModelReader.read(file, images, problems));
     }
 }
