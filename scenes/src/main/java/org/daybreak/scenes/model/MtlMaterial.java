@@ -37,6 +37,9 @@ import org.jspecify.annotations.Nullable;
 final class MtlMaterial {
     private static final double SMOOTH_ALPHA = 0.01;
     private static final Set<Integer> GLASS = Set.of(4, 6, 7, 9);
+    /** Largest scale and offset of a texture, and one over the smallest scale. */
+    private static final double LARGEST_SCALE = 1e30;
+
     private static final Set<Integer> MIRROR = Set.of(3, 5, 8);
     private static final Set<String> COLORS = Set.of("kd", "ks", "ke", "tf");
     private static final Set<String> NUMBERS = Set.of("ns", "ni", "d", "tr", "illum", "pr", "pm");
@@ -214,12 +217,23 @@ final class MtlMaterial {
         return new PropertyDescription(property, new Value.Color(c[0], c[1], c[2]), location);
     }
 
+    /** Whether a texture can be placed that way: the inverse must exist, in numbers of ordinary size. */
+    private static boolean isUsable(double[] scale, double[] offset) {
+        boolean usable = true;
+        for (int i = 0; i < 2; i++) {
+            double s = Math.abs(scale[i]);
+            usable &= s >= 1 / LARGEST_SCALE && s <= LARGEST_SCALE && Math.abs(offset[i]) <= LARGEST_SCALE;
+        }
+        return usable;
+    }
+
     /** A bitmap; null if there is no such file, which is reported as a warning. */
     private static @Nullable ObjectDescription texture(
             String keyword, String argument, SourceLocation at, ProblemList problems) {
         List<PropertyDescription> properties = new ArrayList<>();
         double[] scale = {1, 1};
         double[] offset = {0, 0};
+        boolean clamped = false;
         String rest = argument.strip();
         while (rest.startsWith("-")) {
             String[] words = rest.split("\\s+", -1);
@@ -235,8 +249,8 @@ final class MtlMaterial {
                 }
             } else {
                 used = option.equals("-mm") ? 3 : 2;
-                if (option.equals("-clamp") && words.length > 1 && words[1].equals("on")) {
-                    properties.add(new PropertyDescription("wrap_mode", new Value.Text("clamp"), at));
+                if (option.equals("-clamp") && words.length > 1) {
+                    clamped = words[1].equals("on");
                 }
             }
             String[] left = rest.split("\\s+", used + 1);
@@ -257,7 +271,13 @@ final class MtlMaterial {
         if (keyword.equals("map_d")) {
             properties.add(new PropertyDescription("raw", new Value.Switch(true), at));
         }
-        if (scale[0] != 1 || scale[1] != 1 || offset[0] != 0 || offset[1] != 0) {
+        if (clamped) {
+            properties.add(new PropertyDescription("wrap_mode", new Value.Text("clamp"), at));
+        }
+        if (!isUsable(scale, offset)) {
+            problems.warning(
+                    at, "scale and offset of '" + keyword + " " + argument + "' are passed over: too small or large");
+        } else if (scale[0] != 1 || scale[1] != 1 || offset[0] != 0 || offset[1] != 0) {
             // v counts from the bottom in the file and from the top here: 1 − (s·v + o) = s·(1 − v) + 1 − s − o.
             Matrix4d m = new Matrix4d(
                     scale[0], 0, 0, offset[0], 0, scale[1], 0, 1 - scale[1] - offset[1], 0, 0, 1, 0, 0, 0, 0, 1);
