@@ -90,8 +90,7 @@ public final class SceneReader {
         }
     }
 
-    private Optional<SceneDescription> describeModel(
-            Path file, Map<String, String> defines, ProblemList problems) {
+    private Optional<SceneDescription> describeModel(Path file, Map<String, String> defines, ProblemList problems) {
         for (String name : new TreeSet<>(defines.keySet())) {
             problems.error(
                     SourceLocation.of(file), "only XML has attributes that could use the definition '" + name + "'");
