@@ -29,7 +29,7 @@ class BidirectionalRendererTest {
     @Test
     void defaultsHaveNoLimits() {
         assertEquals(
-                new BidirectionalSettings(-1, -1, -1, 2, BidirectionalSettings.Roulette.EFFICIENCY, 3, 1, false, true),
+                new BidirectionalSettings(-1, -1, -1, 2, BidirectionalSettings.Roulette.EFFICIENCY, 3, 2, false, true),
                 parse(Map.of()));
     }
 
