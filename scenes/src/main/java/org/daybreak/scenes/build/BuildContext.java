@@ -1,5 +1,6 @@
 package org.daybreak.scenes.build;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -136,22 +137,7 @@ final class BuildContext {
     Path file(String given, SourceLocation location) {
         Path found;
         try {
-            // Programs on Windows write the separators of their system.
-            String name =
-                    given.indexOf('\\') >= 0 && !Files.exists(location.file().resolveSibling(given))
-                            ? given.replace('\\', '/')
-                            : given;
-            found = location.file().resolveSibling(name);
-            List<Path> others = new ArrayList<>();
-            others.add(description.file().resolveSibling(name));
-            for (Path folder : description.folders()) {
-                others.add(folder.resolve(name));
-            }
-            for (Path other : others) {
-                if (!Files.exists(found)) {
-                    found = Files.exists(other) ? other : found;
-                }
-            }
+            found = description.resolve(given, location.file());
         } catch (InvalidPathException e) {
             error(location, "'" + given + "' is no file name: " + e.getReason());
             return null;
@@ -163,7 +149,7 @@ final class BuildContext {
             problem = found + " is a directory, not a file";
         } else if (!Files.isReadable(found)) {
             problem = "the file " + found + " cannot be read: permission denied";
-        } else if (found.toFile().length() == 0) {
+        } else if (isEmpty(found)) {
             problem = "the file " + found + " is empty";
         }
         if (problem != null) {
@@ -172,6 +158,15 @@ final class BuildContext {
         }
         files.add(found);
         return found;
+    }
+
+    /** What cannot be told is left to the reader of the file to report. */
+    private static boolean isEmpty(Path file) {
+        try {
+            return Files.size(file) == 0;
+        } catch (IOException e) {
+            return false;
+        }
     }
 
     /** The scene's main object. */

@@ -282,6 +282,10 @@ public final class PlyReader {
     /** Reads triangle strips: one list of vertices, in which −1 ends a strip; every other triangle is turned. */
     private void readStrips(Element element) throws IOException {
         hasFaces = true;
+        if (element.properties().isEmpty()) {
+            // They take no bytes, so the file does not bound their number.
+            return;
+        }
         for (long i = 0; i < element.count(); i++) {
             for (Property p : element.properties()) {
                 if (p.isList() && p.type().isInteger() && VERTEX_LISTS.contains(p.name())) {
@@ -367,10 +371,15 @@ public final class PlyReader {
             return;
         }
         for (long i = 0; i < values; i++) {
-            if (source.skipSpace() == -1) {
-                throw new MeshFormatException(source.line(), "the file ends in the middle of its data");
+            int next = source.skipSpace();
+            // Without a word nothing is consumed, and a list may claim any length.
+            if (source.word().isEmpty()) {
+                throw new MeshFormatException(
+                        source.line(),
+                        next == -1
+                                ? "the file ends in the middle of its data"
+                                : "the character with the code " + next + " stands where a value must follow");
             }
-            source.word();
         }
     }
 

@@ -23,6 +23,9 @@ import org.jspecify.annotations.Nullable;
  * @param multiplier the number of {@code -bm}, 1 if there is none
  */
 record MtlTexture(ObjectDescription bitmap, Path file, double multiplier) {
+    /** Largest scale and offset of a texture, and one over the smallest scale. */
+    private static final double LARGEST_SCALE = 1e30;
+
     /**
      * Reads a statement.
      *
@@ -34,6 +37,7 @@ record MtlTexture(ObjectDescription bitmap, Path file, double multiplier) {
         double[] scale = {1, 1};
         double[] offset = {0, 0};
         double multiplier = 1;
+        boolean clamped = false;
         String rest = argument.strip();
         while (rest.startsWith("-")) {
             String[] words = rest.split("\\s+", -1);
@@ -52,8 +56,8 @@ record MtlTexture(ObjectDescription bitmap, Path file, double multiplier) {
                 String value = words.length > 1 ? words[1] : "";
                 Double number = option.equals("-bm") ? MtlMaterial.number(value) : null;
                 multiplier = number == null ? multiplier : number;
-                if (option.equals("-clamp") && value.equals("on")) {
-                    properties.add(new PropertyDescription("wrap_mode", new Value.Text("clamp"), at));
+                if (option.equals("-clamp") && !value.isEmpty()) {
+                    clamped = value.equals("on");
                 }
             }
             String[] left = rest.split("\\s+", used + 1);
@@ -75,7 +79,13 @@ record MtlTexture(ObjectDescription bitmap, Path file, double multiplier) {
         if (raw) {
             properties.add(new PropertyDescription("raw", new Value.Switch(true), at));
         }
-        if (scale[0] != 1 || scale[1] != 1 || offset[0] != 0 || offset[1] != 0) {
+        if (clamped) {
+            properties.add(new PropertyDescription("wrap_mode", new Value.Text("clamp"), at));
+        }
+        if (!isUsable(scale, offset)) {
+            problems.warning(
+                    at, "scale and offset of the texture '" + argument + "' are passed over: too small or large");
+        } else if (scale[0] != 1 || scale[1] != 1 || offset[0] != 0 || offset[1] != 0) {
             // v counts from the bottom in the file and from the top here: 1 − (s·v + o) = s·(1 − v) + 1 − s − o.
             Matrix4d m = new Matrix4d(
                     scale[0], 0, 0, offset[0], 0, scale[1], 0, 1 - scale[1] - offset[1], 0, 0, 1, 0, 0, 0, 0, 1);
@@ -83,5 +93,15 @@ record MtlTexture(ObjectDescription bitmap, Path file, double multiplier) {
         }
         return new MtlTexture(
                 new ObjectDescription(ObjectKind.TEXTURE, "bitmap", null, at, properties), file, multiplier);
+    }
+
+    /** Whether a texture can be placed that way: the inverse must exist, in numbers of ordinary size. */
+    private static boolean isUsable(double[] scale, double[] offset) {
+        boolean usable = true;
+        for (int i = 0; i < 2; i++) {
+            double s = Math.abs(scale[i]);
+            usable &= s >= 1 / LARGEST_SCALE && s <= LARGEST_SCALE && Math.abs(offset[i]) <= LARGEST_SCALE;
+        }
+        return usable;
     }
 }
