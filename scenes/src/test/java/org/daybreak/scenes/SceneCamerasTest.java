@@ -17,13 +17,9 @@ import org.daybreak.core.scene.CameraSettings;
 import org.daybreak.scenes.description.SceneException;
 import org.daybreak.scenes.image.StandardImageLoader;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Cameras, films and what a scene file asks of the renderer. */
-class SceneCamerasTest {
-    @TempDir
-    Path folder;
-
+class SceneCamerasTest extends SceneReading {
     @Test
     void readsOtherCamerasAndFilters() throws IOException, SceneException {
         for (String[] row : new String[][] {

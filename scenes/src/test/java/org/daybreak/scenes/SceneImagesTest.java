@@ -22,21 +22,9 @@ import org.daybreak.scenes.image.ImageLoader;
 import org.daybreak.scenes.image.LoadedImage;
 import org.daybreak.scenes.image.StandardImageLoader;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Images that scene files name. */
-class SceneImagesTest {
-    @TempDir
-    Path folder;
-
-    private SceneFile load(String content) throws IOException, SceneException {
-        return SceneTexts.load(folder, SceneTexts.scene(content));
-    }
-
-    private ShapeNode shape(String content) throws IOException, SceneException {
-        return SceneTexts.onlyShape(load(content));
-    }
-
+class SceneImagesTest extends SceneReading {
     @Test
     void readsImages() throws IOException, SceneException {
         writeImage("t.png", BufferedImage.TYPE_INT_RGB);

@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import javax.vecmath.Color3f;
 import org.daybreak.core.color.Spectrum;
@@ -20,21 +19,9 @@ import org.daybreak.core.scene.Node;
 import org.daybreak.core.scene.ShapeNode;
 import org.daybreak.scenes.description.SceneException;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Lights of scene files. */
-class SceneLightsTest {
-    @TempDir
-    Path folder;
-
-    private SceneFile load(String content) throws IOException, SceneException {
-        return SceneTexts.load(folder, SceneTexts.scene(content));
-    }
-
-    private ShapeNode shape(String content) throws IOException, SceneException {
-        return SceneTexts.onlyShape(load(content));
-    }
-
+class SceneLightsTest extends SceneReading {
     @Test
     void flatSpectraOfLightsAreIlluminantE() throws IOException, SceneException {
         // Values Mitsuba 3.9.1 (scalar_rgb) reports for the same emitter.

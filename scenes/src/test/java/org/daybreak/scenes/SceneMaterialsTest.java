@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.material.Conductor;
@@ -15,24 +14,11 @@ import org.daybreak.core.material.Plastic;
 import org.daybreak.core.material.RoughConductor;
 import org.daybreak.core.material.RoughPlastic;
 import org.daybreak.core.material.TwoSided;
-import org.daybreak.core.scene.ShapeNode;
 import org.daybreak.scenes.description.SceneException;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Materials and colours of scene files. */
-class SceneMaterialsTest {
-    @TempDir
-    Path folder;
-
-    private SceneFile load(String content) throws IOException, SceneException {
-        return SceneTexts.load(folder, SceneTexts.scene(content));
-    }
-
-    private ShapeNode shape(String content) throws IOException, SceneException {
-        return SceneTexts.onlyShape(load(content));
-    }
-
+class SceneMaterialsTest extends SceneReading {
     @Test
     void readsEveryMaterial() throws IOException, SceneException {
         assertInstanceOf(Diffuse.class, shape("<shape type='sphere'/>").material());

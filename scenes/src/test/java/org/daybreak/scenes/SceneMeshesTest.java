@@ -7,26 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.core.scene.ShapeNode;
 import org.daybreak.scenes.description.SceneException;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Meshes of scene files: normals, winding, triangles without area. */
-class SceneMeshesTest {
-    @TempDir
-    Path folder;
-
-    private SceneFile load(String content) throws IOException, SceneException {
-        return SceneTexts.load(folder, SceneTexts.scene(content));
-    }
-
-    private ShapeNode shape(String content) throws IOException, SceneException {
-        return SceneTexts.onlyShape(load(content));
-    }
-
+class SceneMeshesTest extends SceneReading {
     @Test
     void meshesFollowMitsubaInNormalsAndMirroring() throws IOException, SceneException {
         SceneTexts.write(folder, "plain.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nvt 0.25 0.75\nf 1/1 2/1 3/1 4/1\n");

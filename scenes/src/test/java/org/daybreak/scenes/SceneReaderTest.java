@@ -23,24 +23,12 @@ import org.daybreak.core.material.Plastic;
 import org.daybreak.core.scene.ShapeNode;
 import org.daybreak.scenes.description.SceneException;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Structure of scene files: transforms, shapes, definitions, includes, references, encodings. */
-class SceneReaderTest {
-    @TempDir
-    Path folder;
-
-    private SceneFile load(String content) throws IOException, SceneException {
-        return SceneTexts.load(folder, SceneTexts.scene(content));
-    }
-
-    private ShapeNode shape(String content) throws IOException, SceneException {
-        return SceneTexts.onlyShape(load(content));
-    }
-
+class SceneReaderTest extends SceneReading {
     /** Transforms and the matrices that Mitsuba 3.9.1 makes of them. */
     static Stream<Arguments> transforms() {
         return Stream.of(
