@@ -272,7 +272,7 @@ class SceneConversionTest {
                 obj.append("v ")
                         .append(i + k % 2)
                         .append(' ')
-                        .append(0.3 * i + k / 2)
+                        .append(k < 2 ? 0.3 * i : 0.3 * i + 1)
                         .append(' ')
                         .append(0.11 * (i * k % 3))
                         .append("\nvt ")

@@ -24,7 +24,8 @@ import org.junit.jupiter.api.io.TempDir;
 @ExtendWith(WhereJazzerAttaches.class)
 class SceneFuzzTest {
     private static final String MESH = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    private static final SceneReader READER = new SceneReader(new OneImage());
+    private static final OneImage IMAGES = new OneImage();
+    private static final SceneReader READER = new SceneReader(IMAGES);
 
     @TempDir
     static Path scratch;
@@ -71,7 +72,7 @@ class SceneFuzzTest {
     void mtl(byte[] input) throws IOException {
         folder.write("x.mtl", input);
         Path file = folder.write("x.obj", "mtllib x.mtl\n" + MESH + "usemtl a\nf 1 2 3\nusemtl b\nf 3 2 1\n");
-        ModelReader.read(file, new ProblemList());
+        ModelReader.read(file, IMAGES, new ProblemList());
         if (input.length % 64 == 0) {
             isReadOrRefused(file);
         }

@@ -98,9 +98,16 @@ final class TestScenes {
         return compile(graph);
     }
 
-    /** A point light of intensity 10 two units above a diffuse plane y = 0 of reflectance 0.5, seen from above. */
-    static Scene pointOverPlane(int size) {
+    /**
+     * A point light of intensity 10 two units above a diffuse plane y = 0 of reflectance 0.5, seen from above.
+     *
+     * @param sheets materials of large sheets between light and plane
+     */
+    static Scene pointOverPlane(int size, Bsdf... sheets) {
         SceneGraph graph = new SceneGraph();
+        for (int i = 0; i < sheets.length; i++) {
+            graph.root().add(rectangle(sheets[i], null, 30, 0, 0, 0, 0, 0, 1, 0.5 * (i + 1), 0, -30, 0, 0));
+        }
         graph.root().add(rectangle(diffuse(0.5), null, 30, 0, 0, 0, 0, 0, 1, 0, 0, -30, 0, 0));
         LightNode light = graph.root().add(new LightNode(new LightSource.Point(new Color3f(10, 10, 10))));
         Matrix4d up = new Matrix4d();

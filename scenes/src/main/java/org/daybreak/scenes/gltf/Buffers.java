@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HashMap;
+import java.util.Collections;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /** The buffers of a document and the views into them. Each buffer is read once, when it is first asked for. */
@@ -20,7 +22,7 @@ final class Buffers {
     private final Container container;
     private final IdentityHashMap<JsonValue, Slice> buffers = new IdentityHashMap<>();
     private final IdentityHashMap<JsonValue, GltfException> failures = new IdentityHashMap<>();
-    private final Map<Path, byte[]> files = new HashMap<>();
+    private final Map<Path, byte[]> files = new LinkedHashMap<>();
 
     Buffers(Container container) {
         this.container = container;
@@ -32,6 +34,11 @@ final class Buffers {
      * @param stride distance between elements in bytes; 0 if they are packed
      */
     record Slice(byte[] bytes, int offset, int length, int stride) {}
+
+    /** The files that buffers have been read from so far. */
+    Set<Path> files() {
+        return Collections.unmodifiableSet(files.keySet());
+    }
 
     /**
      * The number of corners, vertices or instances that may be decoded in all. Accessors need not take any bytes, and meshes
