@@ -128,6 +128,9 @@ final class BiDirectionalProcessor implements RayProcessor {
         } else if (features && eye.length() > 1) {
             out.setFeatures(eye.bsdfs[1], eye.points[1], lines.cameraRay());
         }
+        if (listener != null) {
+            listener.traced(eye, -1);
+        }
         if (allLights) {
             for (int i = 0; i < scene.lightCount(); i++) {
                 addLight(i, i, 1, sampler);
@@ -149,6 +152,9 @@ final class BiDirectionalProcessor implements RayProcessor {
             return;
         }
         lines.traceLight(index, chosen, subpath, limits.maxLightVertices(), sampler, light);
+        if (listener != null) {
+            listener.traced(light, index);
+        }
         if (limits.lens()) {
             causticMap.add(light, index, subpath, maxVertices, sampler);
         }
@@ -157,6 +163,9 @@ final class BiDirectionalProcessor implements RayProcessor {
             int next = eye.length();
             for (int branch = 0; branch < splitting; branch++) {
                 lines.traceBranch(eye, branch, sampler, emission);
+                if (listener != null) {
+                    listener.traced(eye, -1);
+                }
                 addVertices(next, index, sampler);
             }
         }
@@ -260,7 +269,7 @@ final class BiDirectionalProcessor implements RayProcessor {
         double visible = lightSample.distance == Double.POSITIVE_INFINITY
                 ? caster.transmittanceToInfinity(p, lightSample.wiX, lightSample.wiY, lightSample.wiZ)
                 : caster.transmittance(p, lightSample.point);
-        add(1, f, index, visible * factor, weight);
+        join(1, f, index, factor, visible, weight);
     }
 
     /** Techniques with s, t ≥ 2: y_e joined to z_f. */
@@ -314,7 +323,7 @@ final class BiDirectionalProcessor implements RayProcessor {
                 complement.connection(light, e + 1, eye, f + 1, dx, dy, dz, squared, densityFromLight, densityFromEye);
         double factor = survive(f, 1 / squared, weight);
         if (factor != 0) {
-            add(e + 1, f, light.light[0], factor * caster.transmittance(y, z), weight);
+            join(e + 1, f, light.light[0], factor, caster.transmittance(y, z), weight);
         }
     }
 
@@ -327,8 +336,8 @@ final class BiDirectionalProcessor implements RayProcessor {
      */
     private double survive(int f, double factor, double weight) {
         double weighted = factor * weight;
-        if (weighted == 0 && listener == null) {
-            return 0;
+        if (weighted == 0) {
+            return listener == null ? 0 : factor;
         }
         double luminance = weighted
                 * Spectrum.luminance(
@@ -338,26 +347,35 @@ final class BiDirectionalProcessor implements RayProcessor {
 
     /** Adds the value in hand times the throughput of eye vertex f, a factor and the weight of technique (s, f + 1). */
     private void add(int s, int f, int lightIndex, double factor, double weight) {
-        if (factor == 0) {
-            return;
-        }
-        double r = factor * value.r * eye.throughputR[f];
-        double g = factor * value.g * eye.throughputG[f];
-        double b = factor * value.b * eye.throughputB[f];
         if (listener != null) {
-            contribution.s = s;
-            contribution.t = f + 1;
-            contribution.filmX = sampleX;
-            contribution.filmY = sampleY;
-            contribution.lightIndex = lightIndex;
-            contribution.r = r;
-            contribution.g = g;
-            contribution.b = b;
-            contribution.weight = weight;
+            describe(s, f, lightIndex, factor, weight);
             listener.found(contribution);
         }
-        radiance.r += weight * r;
-        radiance.g += weight * g;
-        radiance.b += weight * b;
+        double weighted = factor * weight;
+        radiance.r += weighted * value.r * eye.throughputR[f];
+        radiance.g += weighted * value.g * eye.throughputG[f];
+        radiance.b += weighted * value.b * eye.throughputB[f];
+    }
+
+    /** {@link #add} for an edge of which a fraction is visible. */
+    private void join(int s, int f, int lightIndex, double factor, double visible, double weight) {
+        if (visible != 0) {
+            add(s, f, lightIndex, visible * factor, weight);
+        } else if (listener != null) {
+            describe(s, f, lightIndex, factor, weight);
+            listener.occluded(contribution);
+        }
+    }
+
+    private void describe(int s, int f, int lightIndex, double factor, double weight) {
+        contribution.s = s;
+        contribution.t = f + 1;
+        contribution.filmX = sampleX;
+        contribution.filmY = sampleY;
+        contribution.lightIndex = lightIndex;
+        contribution.r = factor * value.r * eye.throughputR[f];
+        contribution.g = factor * value.g * eye.throughputG[f];
+        contribution.b = factor * value.b * eye.throughputB[f];
+        contribution.weight = weight;
     }
 }

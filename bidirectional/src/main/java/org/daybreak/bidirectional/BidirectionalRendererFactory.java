@@ -1,5 +1,6 @@
 package org.daybreak.bidirectional;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterValues;
@@ -25,11 +26,14 @@ public final class BidirectionalRendererFactory implements RendererFactory {
 
     @Override
     public List<Parameter> parameters() {
-        return BidirectionalSettings.PARAMETERS;
+        List<Parameter> all = new ArrayList<>(BidirectionalSettings.PARAMETERS);
+        all.addAll(TechniqueViews.PARAMETERS);
+        return List.copyOf(all);
     }
 
     @Override
     public Renderer create(ParameterValues values) {
-        return new BidirectionalRenderer(BidirectionalSettings.of(values));
+        BidirectionalSettings settings = BidirectionalSettings.of(values);
+        return new BidirectionalRenderer(settings, TechniqueViews.of(settings, values));
     }
 }

@@ -148,6 +148,20 @@ public record BidirectionalSettings(
                 values.flag("causticMap"));
     }
 
+    /** The same settings without the roulette for occlusion tests. */
+    BidirectionalSettings withoutConnectionRoulette() {
+        return new BidirectionalSettings(
+                maxEyeDepth,
+                maxLightDepth,
+                maxDepth,
+                heuristicExponent,
+                roulette == Roulette.NONE ? Roulette.NONE : Roulette.THROUGHPUT,
+                rrDepth,
+                splitting,
+                allLights,
+                causticMap);
+    }
+
     /** In how many ways an eye subpath goes on from the first vertex that can be connected. */
     int eyeBranches() {
         return allLights ? 1 : splitting;

@@ -143,31 +143,38 @@ final class CausticMap {
         if (weighted == 0 && listener == null) {
             return;
         }
-        double factor = roulette.survive(weighted);
+        double factor = weighted == 0 ? 1 : roulette.survive(weighted);
         if (factor == 0) {
             return;
         }
-        factor *= lens.transmittance(y);
-        if (factor == 0) {
+        double visible = lens.transmittance(y);
+        if (visible == 0) {
+            if (listener != null) {
+                listener.occluded(describe(s, index, weight, factor * r, factor * g, factor * b));
+            }
             return;
         }
-        double cr = factor * r * value.r;
-        double cg = factor * g * value.g;
-        double cb = factor * b * value.b;
-        LensSample at = lens.lens();
+        factor *= visible;
         if (listener != null) {
-            contribution.s = s;
-            contribution.t = 1;
-            contribution.lightIndex = index;
-            contribution.filmX = at.filmX;
-            contribution.filmY = at.filmY;
-            contribution.r = cr;
-            contribution.g = cg;
-            contribution.b = cb;
-            contribution.weight = weight;
-            listener.found(contribution);
+            listener.found(describe(s, index, weight, factor * r, factor * g, factor * b));
         }
-        finite &= splats.add(at.filmX, at.filmY, weight * cr, weight * cg, weight * cb);
+        double scale = factor * weight;
+        LensSample at = lens.lens();
+        finite &= splats.add(at.filmX, at.filmY, scale * r * value.r, scale * g * value.g, scale * b * value.b);
         luminance += factor * weighted;
+    }
+
+    private Contribution describe(int s, int index, double weight, double r, double g, double b) {
+        Contribution c = contribution;
+        c.s = s;
+        c.t = 1;
+        c.lightIndex = index;
+        c.filmX = lens.lens().filmX;
+        c.filmY = lens.lens().filmY;
+        c.r = r * lens.value().r;
+        c.g = g * lens.value().g;
+        c.b = b * lens.value().b;
+        c.weight = weight;
+        return c;
     }
 }

@@ -17,6 +17,18 @@ final class Contribution {
     interface Listener {
         /** Something has been added to the image, or would have been if its weight were not 0. */
         void found(Contribution contribution);
+
+        /** Something would have been added, with the value that it has here, if no surface were in the way. */
+        default void occluded(Contribution contribution) {}
+
+        /**
+         * A subpath has been traced and will be joined. Of an eye subpath that splits, first the part that all branches share, then
+         * each branch after it.
+         *
+         * @param path of length 0 if there is none
+         * @param light where it starts; -1 for the lens
+         */
+        default void traced(PathValues path, int light) {}
     }
 
     final PathValues light;

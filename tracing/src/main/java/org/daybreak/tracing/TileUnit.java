@@ -1,5 +1,6 @@
 package org.daybreak.tracing;
 
+import org.daybreak.core.film.Film;
 import org.daybreak.core.film.FilmTile;
 import org.daybreak.core.film.SplatBuffer;
 import org.daybreak.core.render.NonFiniteLog;
@@ -10,6 +11,11 @@ final class TileUnit {
     final FilmTile tile;
     final SplatBuffer splats = new SplatBuffer();
     final NonFiniteLog nonFinite = new NonFiniteLog();
+
+    /** Tiles and splats of {@link FurtherImages}. */
+    final FilmTile[] furtherTiles;
+
+    final SplatBuffer[] furtherSplats;
 
     /** Position in the list of tiles. */
     int index;
@@ -54,7 +60,47 @@ final class TileUnit {
 
     long samples;
 
-    TileUnit(FilmTile tile) {
+    TileUnit(FilmTile tile, FilmTile[] furtherTiles) {
         this.tile = tile;
+        this.furtherTiles = furtherTiles;
+        furtherSplats = new SplatBuffer[furtherTiles.length];
+        for (int i = 0; i < furtherSplats.length; i++) {
+            furtherSplats[i] = new SplatBuffer();
+        }
+    }
+
+    /** Empties the unit: its samples will be taken. */
+    void begin() {
+        tile.begin(x, y, width, height);
+        splats.clear();
+        nonFinite.clear();
+        samples = 0;
+        for (int i = 0; i < furtherTiles.length; i++) {
+            furtherTiles[i].begin(x, y, width, height);
+            furtherSplats[i].clear();
+        }
+    }
+
+    /** Sets the weight of the samples that follow. */
+    void setSampleWeight(double weight) {
+        tile.setSampleWeight(weight);
+        for (FilmTile further : furtherTiles) {
+            further.setSampleWeight(weight);
+        }
+    }
+
+    /** Adds the unit's samples to a film and those of further images. */
+    void commit(Film film, Film[] further) {
+        long countedSamples = counted ? tile.samples() : 0;
+        film.commit(tile, countedSamples);
+        for (int i = 0; i < further.length; i++) {
+            further[i].commit(furtherTiles[i], countedSamples);
+        }
+        if (counted) {
+            film.commit(splats, samples);
+            for (int i = 0; i < further.length; i++) {
+                further[i].commit(furtherSplats[i], samples);
+            }
+        }
     }
 }
