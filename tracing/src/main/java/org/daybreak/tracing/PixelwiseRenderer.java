@@ -123,7 +123,10 @@ public final class PixelwiseRenderer implements Renderer {
             RenderState start = context.start();
             if (start != null) {
                 film.restore(start.film());
-                schedule.restore(start);
+                // Nothing follows a complete render, and one that was merged from parts has no position.
+                if (!start.complete()) {
+                    schedule.restore(start);
+                }
                 nonFinite.addAll(start.nonFiniteSamples(), start.nonFiniteAddresses());
                 samples.set(start.samples());
                 finishedSamplesPerPixel = start.samplesPerPixel();

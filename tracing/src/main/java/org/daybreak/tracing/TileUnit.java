@@ -2,6 +2,7 @@ package org.daybreak.tracing;
 
 import org.daybreak.core.film.Film;
 import org.daybreak.core.film.FilmTile;
+import org.daybreak.core.film.LuminanceStatistics;
 import org.daybreak.core.film.SplatBuffer;
 import org.daybreak.core.render.NonFiniteLog;
 import org.jspecify.annotations.Nullable;
@@ -41,6 +42,10 @@ final class TileUnit {
 
     /** Samples of each pixel of the sample area in this pass, null if all have the same number. */
     int @Nullable [] counts;
+
+    /** What the film held when the pass began; with {@link #counts}. */
+    @Nullable
+    LuminanceStatistics statistics;
 
     /** Which of how many slices of the pass this is; for {@link #counts}. */
     int slice;

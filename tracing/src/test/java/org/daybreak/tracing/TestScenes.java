@@ -38,6 +38,14 @@ final class TestScenes {
         return compile(graph);
     }
 
+    /** The room of {@link #diffuseRoom} in the middle of a black image, of which it covers a quarter. */
+    static Scene distantRoom(int width, int height) {
+        SceneGraph graph = room(width, height, ReconstructionFilter.BOX);
+        graph.root().add(new ShapeNode(new Sphere(new Point3d(-0.78, 0.56, -0.5), 0.56), diffuse(0.5)));
+        look(graph, new Point3d(0, 1, 6), new Point3d(0, 0.985, 0), new Vector3d(0, 1, 0), 73, width, height);
+        return compile(graph);
+    }
+
     /** The room of {@link #cornell} with two diffuse spheres: all of it can be rendered by light tracing. */
     static Scene diffuseRoom(int width, int height, ReconstructionFilter filter) {
         SceneGraph graph = room(width, height, filter);
