@@ -18,8 +18,10 @@ import com.tngtech.archunit.core.domain.JavaField;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.lang.ArchRule;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.PathMatcher;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -178,32 +180,47 @@ class ArchitectureTest {
         NO_CLASSES_SHOULD_THROW_GENERIC_EXCEPTIONS.allowEmptyShould(true).check(all);
     }
 
+    /**
+     * Packages of main sources describe themselves; those of tests, and of sources for later Java releases, share the
+     * description of the main package of their name if there is one.
+     */
     @Test
     void everyPackageIsDescribedAndNullMarked() throws IOException {
         Set<String> bare = new TreeSet<>();
-        for (Path source : mainSources()) {
-            Path description = source.resolveSibling("package-info.java");
-            if (!Files.exists(description)
-                    || !NULL_MARKED.matcher(Files.readString(description)).find()) {
-                bare.add(ROOT.relativize(source.getParent()).toString());
+        for (Path tree : sourceTrees()) {
+            Path main = tree.resolveSibling(Path.of("..", "main", "java")).normalize();
+            try (Stream<Path> files = Files.walk(tree)) {
+                files.filter(file -> file.toString().endsWith(".java"))
+                        .map(file -> tree.relativize(file).resolveSibling("package-info.java"))
+                        .filter(info -> !isNullMarked(tree.resolve(info)) && !isNullMarked(main.resolve(info)))
+                        .forEach(info -> bare.add(
+                                ROOT.relativize(tree.resolve(info)).getParent().toString()));
             }
         }
         assertEquals(Set.of(), bare, "packages without a package-info.java that is @NullMarked");
     }
 
-    private static List<Path> mainSources() throws IOException {
-        List<Path> sources = new ArrayList<>();
-        try (Stream<Path> folders = Files.list(ROOT)) {
-            for (Path module : folders.sorted().toList()) {
-                Path main = module.resolve("src").resolve("main").resolve("java");
-                if (Files.isDirectory(main)) {
-                    try (Stream<Path> files = Files.walk(main)) {
-                        files.filter(file -> file.toString().endsWith(".java")).forEach(sources::add);
-                    }
-                }
+    private static boolean isNullMarked(Path description) {
+        try {
+            return Files.exists(description)
+                    && NULL_MARKED.matcher(Files.readString(description)).find();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** The folders src/main/java, src/main/java25, src/test/java of all modules, and the tests at the top. */
+    private static List<Path> sourceTrees() throws IOException {
+        List<Path> trees = new ArrayList<>();
+        for (String pattern : new String[] {"src/*/java*", "*/src/*/java*"}) {
+            PathMatcher matcher = ROOT.getFileSystem().getPathMatcher("glob:" + pattern);
+            try (Stream<Path> folders = Files.walk(ROOT, 4)) {
+                folders.filter(Files::isDirectory)
+                        .filter(folder -> matcher.matches(ROOT.relativize(folder)))
+                        .forEach(trees::add);
             }
         }
-        return sources;
+        return trees;
     }
 
     private static void check(ArchRule rule) {

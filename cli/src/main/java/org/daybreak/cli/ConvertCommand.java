@@ -12,30 +12,44 @@ import org.daybreak.exr.ExrWriter;
 import org.daybreak.exr.ImageFileException;
 import org.daybreak.exr.PixelType;
 import org.daybreak.scenes.image.ImageLoader;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code daybreak convert}: an image in another format. */
+/** {@code daybreak convert}: an image in another format, or a scene in the native one. */
 @Command(
         name = "convert",
         description = {
             "Converts an image: from exr, pfm, hdr, png, jpg, bmp or gif to exr, pfm, hdr, png or jpg.",
-            "Values are linear in exr, pfm and hdr; the others are 8-bit sRGB, clamped."
+            "Values are linear in exr, pfm and hdr; the others are 8-bit sRGB, clamped.",
+            "Converts a scene or model (xml, gltf, glb, obj, ply, stl) to a scene (xml) with meshes and textures in a"
+                    + " folder NAME_files beside it."
         },
         footer = {
             "",
             "Examples:",
             "  daybreak convert picture.exr picture.jpg",
             "  daybreak convert --exposure 1.5 picture.exr brighter.png",
-            "  daybreak convert --layer albedo picture.exr albedo.pfm"
+            "  daybreak convert --layer albedo picture.exr albedo.pfm",
+            "  daybreak convert model.glb -o scene.xml"
         })
 final class ConvertCommand implements Callable<Integer> {
-    @Parameters(index = "0", paramLabel = "IMAGE", description = "The image.")
+    private static final String SCENE = "xml";
+
+    private final Session session;
+
+    @Parameters(index = "0", paramLabel = "INPUT", description = "The image, scene or model.")
     private Path input = Path.of("");
 
-    @Parameters(index = "1", paramLabel = "FILE", description = "File to write; the ending decides.")
-    private Path output = Path.of("");
+    @Parameters(index = "1", arity = "0..1", paramLabel = "FILE", description = "File to write; the ending decides.")
+    private @Nullable Path file;
+
+    @Option(
+            names = {"-o", "--output"},
+            paramLabel = "FILE",
+            description = "File to write, in place of the second argument.")
+    private @Nullable Path option;
 
     @Option(names = "--exposure", paramLabel = "STOPS", description = "Multiplies the colour by 2^STOPS; default: 0.")
     private double exposure;
@@ -43,8 +57,51 @@ final class ConvertCommand implements Callable<Integer> {
     @Option(names = "--layer", paramLabel = "LAYER", description = "Takes this layer of an exr file as the colour.")
     private String layer = "";
 
+    @Option(names = "-D", paramLabel = "NAME=VALUE", description = "Value for $NAME in the scene; may be repeated.")
+    private Map<String, String> defines = new LinkedHashMap<>();
+
+    /** The file to write. */
+    private Path output = Path.of("");
+
+    ConvertCommand(Session session) {
+        this.session = session;
+    }
+
     @Override
     public Integer call() {
+        Path given = file == null ? option : file;
+        if (given == null || (file != null && option != null)) {
+            throw new CommandException(ExitCode.USAGE, "give the file to write once: convert INPUT FILE");
+        }
+        output = given;
+        if (Scenes.isScene(input)) {
+            convertScene();
+        } else {
+            convertImage();
+        }
+        return ExitCode.OK.number();
+    }
+
+    private void convertScene() {
+        if (!ImageLoader.ending(output).equals(SCENE)) {
+            throw new CommandException(
+                    ExitCode.USAGE,
+                    input + " is a scene or model, which converts to xml only, not to '" + output + "'");
+        }
+        if (exposure != 0 || !layer.isEmpty()) {
+            throw new CommandException(ExitCode.USAGE, "--exposure and --layer are for images, not for scenes");
+        }
+        OutputFile.checkWritable(List.of(output));
+        Scenes.convert(input, defines, output, session);
+    }
+
+    private void convertImage() {
+        if (ImageLoader.ending(output).equals(SCENE)) {
+            throw new CommandException(ExitCode.USAGE, input + " is no scene or model, so it does not convert to xml");
+        }
+        if (!defines.isEmpty()) {
+            throw new CommandException(ExitCode.USAGE, "-D is for scenes, not for images");
+        }
         OutputFile target = OutputFile.of(output);
         if (target.format() == OutputFile.Format.DAYBREAK) {
             throw new CommandException(ExitCode.USAGE, "images cannot be converted to the format daybreak");
@@ -64,7 +121,6 @@ final class ConvertCommand implements Callable<Integer> {
         } catch (ImageFileException e) {
             throw new CommandException(ExitCode.OUTPUT, String.valueOf(e.getMessage()), e);
         }
-        return ExitCode.OK.number();
     }
 
     /** From OpenEXR to OpenEXR: all layers, attributes, windows and number types stay. */

@@ -10,6 +10,7 @@ import picocli.CommandLine.Command;
             "",
             "Examples:",
             "  daybreak render scene.xml              render a scene",
+            "  daybreak render model.glb              render a model, with a fitting camera and light",
             "  daybreak render --help                 all options of a command",
             "  daybreak list renderers                renderers with their parameters",
             "  daybreak info scene.xml                what is in a scene or an image",

@@ -17,7 +17,9 @@ import picocli.CommandLine.Parameters;
 /** {@code daybreak info}: what is in a scene, an image or a partial film. */
 @Command(
         name = "info",
-        description = "Describes a scene (xml), an image (exr, pfm) or a partial film (daybreak).",
+        description = {
+            "Describes a scene (xml, gltf, glb), a model (obj, ply, stl), an image or a partial film (daybreak)."
+        },
         footer = {
             "",
             "Examples:",
@@ -28,7 +30,7 @@ import picocli.CommandLine.Parameters;
 final class InfoCommand implements Callable<Integer> {
     private final Session session;
 
-    @Parameters(paramLabel = "FILE", description = "Scene, image or partial film.")
+    @Parameters(paramLabel = "FILE", description = "Scene, model, image or partial film.")
     private Path file = Path.of("");
 
     @Option(names = "-D", paramLabel = "NAME=VALUE", description = "Value for $NAME in the scene; may be repeated.")

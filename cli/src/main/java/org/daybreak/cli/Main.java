@@ -68,7 +68,7 @@ public final class Main {
         commands.put("list", () -> new ListCommand(session));
         commands.put("info", () -> new InfoCommand(session));
         commands.put("diff", () -> new DiffCommand(session));
-        commands.put("convert", ConvertCommand::new);
+        commands.put("convert", () -> new ConvertCommand(session));
         commands.put("merge", () -> new MergeCommand(session));
         commands.put("completion", () -> new CompletionCommand(session));
         Supplier<Object> called = args.length == 0 ? null : commands.get(args[0]);

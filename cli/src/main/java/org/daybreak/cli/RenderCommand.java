@@ -32,13 +32,14 @@ import picocli.CommandLine.Parameters;
 /** {@code daybreak render}: renders a scene file. */
 @Command(
         name = "render",
-        description = "Renders a scene file.",
+        description = "Renders a scene or model.",
         footer = {
             "",
             "Examples:",
             "  daybreak render scene.xml",
             "      renders as the scene asks; writes <name>.exr and <name>.png here",
             "  daybreak render scene.xml -o picture.exr --spp 256 --seed 7",
+            "  daybreak render model.glb --size 1280x960 -o model.png",
             "  daybreak render scene.xml --time 60 --size 1920x1080 -o big.png",
             "  daybreak render scene.xml --renderer raytracer -P maxDepth=4",
             "  daybreak render scene.xml --antialiasing grid -A gridSize=4 -D spp=16",
@@ -53,7 +54,7 @@ final class RenderCommand implements Callable<Integer> {
 
     private final Session session;
 
-    @Parameters(paramLabel = "SCENE", description = "Scene (Mitsuba XML) or model (obj, ply, stl).")
+    @Parameters(paramLabel = "SCENE", description = "Scene (xml, gltf, glb) or model (obj, ply, stl).")
     private Path scene = Path.of("");
 
     @Option(

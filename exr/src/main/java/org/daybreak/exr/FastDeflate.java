@@ -144,7 +144,7 @@ final class FastDeflate {
         int lastStart = length - MIN_MATCH;
         while (place <= lastStart && symbols + place - literalStart < BLOCK_SYMBOLS) {
             int word = (int) INT.get(in, place);
-            int hash = word * 0x9E3779B1 >>> (Integer.SIZE - HASH_BITS);
+            int hash = (word * 0x9E3779B1) >>> (Integer.SIZE - HASH_BITS);
             int candidate = lastPlace[hash] - base;
             lastPlace[hash] = place + base;
             int distance = place - candidate;

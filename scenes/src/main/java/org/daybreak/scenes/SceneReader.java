@@ -47,39 +47,57 @@ public final class SceneReader {
      */
     public SceneFile load(Path file, Map<String, String> defines) throws SceneException {
         ProblemList problems = new ProblemList();
-        if (ModelReader.isModel(file) || GltfReader.isGltf(file)) {
-            return loadModel(file, defines, problems);
-        }
-        Optional<SceneDescription> description = MitsubaReader.read(file, defines, problems);
-        if (description.isEmpty()) {
+        SceneBuilder.Result result = read(file, defines, problems).result();
+        return new SceneFile(result.graph(), result.request(), problems.warnings(), result.files());
+    }
+
+    /**
+     * A scene with what it was built from.
+     *
+     * @param description what its files say
+     * @param result what that amounts to, additions included
+     * @param additions what the files leave out
+     */
+    record Described(SceneDescription description, SceneBuilder.Result result, AutoView.Additions additions) {}
+
+    /**
+     * Reads and builds a scene as {@link #load} does.
+     *
+     * @param problems receives the warnings
+     * @throws SceneException as {@link #load} does
+     */
+    Described read(Path file, Map<String, String> defines, ProblemList problems) throws SceneException {
+        boolean model = ModelReader.isModel(file) || GltfReader.isGltf(file);
+        Optional<SceneDescription> found =
+                model ? describeModel(file, defines, problems) : MitsubaReader.read(file, defines, problems);
+        if (found.isEmpty()) {
             problems.throwIfErrors();
             problems.error(SourceLocation.of(file), "the scene cannot be read");
             throw new SceneException(problems.errors());
         }
-        SceneBuilder.Result result = SceneBuilder.build(description.get(), images, problems);
+        SceneDescription description = found.get();
+        SceneBuilder.Result result = SceneBuilder.build(description, images, problems);
         problems.throwIfErrors();
-        return new SceneFile(result.graph(), result.request(), problems.warnings(), result.files());
-    }
-
-    private SceneFile loadModel(Path file, Map<String, String> defines, ProblemList problems) throws SceneException {
-        for (String name : new TreeSet<>(defines.keySet())) {
-            problems.error(
-                    SourceLocation.of(file), "only XML has attributes that could use the definition '" + name + "'");
+        if (!model) {
+            return new Described(description, result, AutoView.Additions.NONE);
         }
-        Optional<SceneDescription> description = GltfReader.isGltf(file)
-                ? GltfReader.read(file, problems)
-                : Optional.of(ModelReader.read(file, problems));
-        if (description.isEmpty()) {
-            throw new SceneException(problems.errors());
-        }
-        SceneBuilder.Result result = SceneBuilder.build(description.get(), images, problems);
-        problems.throwIfErrors();
         try {
-            AutoView.complete(result.graph(), ModelReader.zPointsUp(file) ? AutoView.UpAxis.Z : AutoView.UpAxis.Y);
+            AutoView.UpAxis up = ModelReader.zPointsUp(file) ? AutoView.UpAxis.Z : AutoView.UpAxis.Y;
+            return new Described(description, result, AutoView.complete(result.graph(), up));
         } catch (IllegalArgumentException e) {
             problems.error(SourceLocation.of(file), String.valueOf(e.getMessage()));
             throw new SceneException(problems.errors());
         }
-        return new SceneFile(result.graph(), result.request(), problems.warnings(), result.files());
+    }
+
+    private static Optional<SceneDescription> describeModel(
+            Path file, Map<String, String> defines, ProblemList problems) {
+        for (String name : new TreeSet<>(defines.keySet())) {
+            problems.error(
+                    SourceLocation.of(file), "only XML has attributes that could use the definition '" + name + "'");
+        }
+        return GltfReader.isGltf(file)
+                ? GltfReader.read(file, problems)
+                : Optional.of(ModelReader.read(file, problems));
     }
 }

@@ -136,22 +136,7 @@ final class BuildContext {
     Path file(String given, SourceLocation location) {
         Path found;
         try {
-            // Programs on Windows write the separators of their system.
-            String name =
-                    given.indexOf('\\') >= 0 && !Files.exists(location.file().resolveSibling(given))
-                            ? given.replace('\\', '/')
-                            : given;
-            found = location.file().resolveSibling(name);
-            List<Path> others = new ArrayList<>();
-            others.add(description.file().resolveSibling(name));
-            for (Path folder : description.folders()) {
-                others.add(folder.resolve(name));
-            }
-            for (Path other : others) {
-                if (!Files.exists(found)) {
-                    found = Files.exists(other) ? other : found;
-                }
-            }
+            found = description.resolve(given, location.file());
         } catch (InvalidPathException e) {
             error(location, "'" + given + "' is no file name: " + e.getReason());
             return null;

@@ -34,7 +34,7 @@ public final class Plugins {
     }
 
     /** A type, or null if there is none of that name. */
-    static @Nullable PluginDefinition find(ObjectKind kind, String type) {
+    public static @Nullable PluginDefinition find(ObjectKind kind, String type) {
         return ofKind(kind).get(type);
     }
 

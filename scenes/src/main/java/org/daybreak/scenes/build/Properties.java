@@ -24,12 +24,6 @@ import org.jspecify.annotations.Nullable;
  * returns; wrong values count as not given, so that building goes on and finds what else is wrong.
  */
 final class Properties {
-    /**
-     * Linear sRGB of illuminant E with luminance near 1: what a spectrum that is 1 at all wavelengths is as light. The values
-     * are Mitsuba's.
-     */
-    private static final double[] EQUAL_ENERGY = {1.204795, 0.948291, 0.908916};
-
     /** An object another one contains, and where it is put there. */
     record Child(ObjectDescription object, SourceLocation location) {}
 
@@ -196,7 +190,7 @@ final class Properties {
                         ? outside(definition, (double) n.value(), Long.toString(n.value()))
                         : wrongType(value);
             case FLOAT -> {
-                Double n = number(value);
+                Double n = LinearColors.number(value);
                 yield n == null ? wrongType(value) : outside(definition, n, n.toString());
             }
             case BOOLEAN -> value instanceof Value.Switch ? null : wrongType(value);
@@ -235,13 +229,6 @@ final class Properties {
         return value >= definition.minimum() && value <= definition.maximum() ? null : " but is " + text;
     }
 
-    private static @Nullable Double number(Value value) {
-        if (value instanceof Value.WholeNumber n) {
-            return (double) n.value();
-        }
-        return value instanceof Value.RealNumber r ? (Double) r.value() : null;
-    }
-
     private static @Nullable String refractiveIndexProblem(Value value) {
         if (value instanceof Value.Text text) {
             return RefractiveIndices.of(text.value()).isPresent()
@@ -250,12 +237,12 @@ final class Properties {
                             + NearestName.of(text.value(), RefractiveIndices.names(), 1)
                                     .get(0) + "'?";
         }
-        Double n = number(value);
+        Double n = LinearColors.number(value);
         return n == null ? wrongType(value) : n > 0 ? null : " but is " + n;
     }
 
     private static @Nullable String colorProblem(Value value, ValueType type, double minimum, double maximum) {
-        double[] rgb = color(value, type);
+        double[] rgb = LinearColors.of(value, type);
         if (rgb == null) {
             return wrongType(value);
         }
@@ -265,27 +252,6 @@ final class Properties {
             }
         }
         return null;
-    }
-
-    private static double @Nullable [] color(Value value, ValueType type) {
-        boolean emission = type == ValueType.EMISSION || type == ValueType.TEXTURED_EMISSION;
-        if (value instanceof Value.Color c) {
-            return new double[] {c.r(), c.g(), c.b()};
-        }
-        if (value instanceof Value.FlatSpectrum s) {
-            double v = s.value();
-            return emission
-                    ? new double[] {v * EQUAL_ENERGY[0], v * EQUAL_ENERGY[1], v * EQUAL_ENERGY[2]}
-                    : new double[] {v, v, v};
-        }
-        if (value instanceof Value.SampledSpectrum s) {
-            Value.Color c = emission ? s.light() : s.surface();
-            // Saturated reflectances lie outside the primaries: the nearest colour inside stands for them.
-            double limit = type == ValueType.REFLECTANCE ? 1 : Double.POSITIVE_INFINITY;
-            return new double[] {Math.min(limit, c.r()), Math.min(limit, c.g()), Math.min(limit, c.b())};
-        }
-        Double n = number(value);
-        return n == null ? null : new double[] {n, n, n};
     }
 
     /** True if the file gives a property and its value is right. */
@@ -308,7 +274,7 @@ final class Properties {
     /** A number, or its default. */
     double number(String name) {
         PropertyDescription property = values.get(name);
-        Double given = property == null ? null : number(property.value());
+        Double given = property == null ? null : LinearColors.number(property.value());
         return given == null ? Double.parseDouble(defaultText(name)) : given;
     }
 
@@ -368,7 +334,7 @@ final class Properties {
     /** A refractive index, or its default. */
     double refractiveIndex(String name) {
         PropertyDescription property = values.get(name);
-        Double given = property == null ? null : number(property.value());
+        Double given = property == null ? null : LinearColors.number(property.value());
         return given == null ? RefractiveIndices.of(text(name)).orElseThrow() : given;
     }
 
@@ -387,7 +353,8 @@ final class Properties {
     double[] color(String name) {
         PropertyDefinition definition = definition(name);
         PropertyDescription property = values.get(name);
-        double[] given = property == null || definition == null ? null : color(property.value(), definition.type());
+        double[] given =
+                property == null || definition == null ? null : LinearColors.of(property.value(), definition.type());
         if (given != null) {
             return given;
         }

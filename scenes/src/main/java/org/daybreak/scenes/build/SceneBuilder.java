@@ -1,6 +1,7 @@
 package org.daybreak.scenes.build;
 
 import java.nio.file.Path;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -8,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
 import org.daybreak.core.scene.SceneGraph;
+import org.daybreak.scenes.description.ObjectDescription;
 import org.daybreak.scenes.description.ObjectKind;
 import org.daybreak.scenes.description.ProblemList;
 import org.daybreak.scenes.description.SceneDescription;
@@ -22,12 +24,18 @@ public final class SceneBuilder {
      * @param graph the scene; incomplete if errors were reported
      * @param request what the file asks of the renderer
      * @param files all files that were read, the main file first
+     * @param meshes the meshes of all shapes that are meshes, by the identity of their descriptions
      */
-    public record Result(SceneGraph graph, RenderSettingsRequest request, List<Path> files) {}
+    public record Result(
+            SceneGraph graph,
+            RenderSettingsRequest request,
+            List<Path> files,
+            IdentityHashMap<ObjectDescription, BuiltMesh> meshes) {}
 
     private final BuildContext context;
     private final SceneGraph graph = new SceneGraph();
     private final Map<String, String> parameters = new LinkedHashMap<>();
+    private final IdentityHashMap<ObjectDescription, BuiltMesh> meshes = new IdentityHashMap<>();
     private @Nullable String rendererId;
 
     private SceneBuilder(BuildContext context) {
@@ -66,7 +74,8 @@ public final class SceneBuilder {
         return new Result(
                 graph,
                 new RenderSettingsRequest(Optional.ofNullable(rendererId), parameters, samples, seed),
-                context.files());
+                context.files(),
+                meshes);
     }
 
     private void readIntegrator(Properties p) {
@@ -112,7 +121,7 @@ public final class SceneBuilder {
     private void buildContent(Properties scene) {
         TextureBuilder textures = new TextureBuilder(context);
         BsdfBuilder bsdfs = new BsdfBuilder(context, textures);
-        ShapeBuilder shapes = new ShapeBuilder(context, textures, bsdfs);
+        ShapeBuilder shapes = new ShapeBuilder(context, textures, bsdfs, meshes);
         LightBuilder lights = new LightBuilder(context, textures);
         for (Properties.Child child : scene.children(ObjectKind.TEXTURE)) {
             textures.texture(child.object(), child.location());

@@ -35,13 +35,24 @@ final class ShapeBuilder {
     private final TextureBuilder textures;
     private final BsdfBuilder bsdfs;
     private final MeshBuilder meshes;
+    private final IdentityHashMap<ObjectDescription, BuiltMesh> built;
     private final IdentityHashMap<ObjectDescription, Group> groups = new IdentityHashMap<>();
     private final Bsdf neutral = AutoView.neutralMaterial();
 
     private int lights;
 
-    ShapeBuilder(BuildContext context, TextureBuilder textures, BsdfBuilder bsdfs) {
+    /**
+     * Creates a builder.
+     *
+     * @param built receives the meshes of the shapes
+     */
+    ShapeBuilder(
+            BuildContext context,
+            TextureBuilder textures,
+            BsdfBuilder bsdfs,
+            IdentityHashMap<ObjectDescription, BuiltMesh> built) {
         this.context = context;
+        this.built = built;
         this.textures = textures;
         this.bsdfs = bsdfs;
         this.meshes = new MeshBuilder(context);
@@ -156,6 +167,10 @@ final class ShapeBuilder {
         } catch (IllegalArgumentException e) {
             context.error(p.location(), p.object().label() + ": " + e.getMessage());
             return null;
+        }
+        if (shape instanceof TriangleMesh mesh) {
+            boolean frontByWinding = mesh.normals() == null && Affine.isMirroring(toWorld);
+            built.put(p.object(), new BuiltMesh(mesh, flip ^ frontByWinding));
         }
         ShapeNode node = new ShapeNode(shape, material);
         node.setTransform(toWorld);

@@ -96,7 +96,10 @@ final class Textures {
     private ObjectDescription describe(JsonValue texture, JsonValue image, Channel channel, int set, Matrix4d toUv)
             throws GltfException {
         ObjectBuilder builder = new ObjectBuilder(ObjectKind.TEXTURE, "bitmap", report.location(image));
-        builder.value("filename", image(image)).truth("raw", channel.raw).text("channel", channel.id);
+        builder.value("filename", image(image)).truth("raw", channel.raw);
+        if (!channel.id.equals("all")) {
+            builder.text("channel", channel.id);
+        }
         JsonValue sampler = container.resolve(texture, "sampler", "samplers");
         if (sampler != null) {
             int filter = sampler.integer("magFilter", LINEAR, 0, Integer.MAX_VALUE);
@@ -104,11 +107,17 @@ final class Textures {
                 throw sampler.get("magFilter").error("must be " + NEAREST + " or " + LINEAR + " but is " + filter);
             }
             builder.text("filter_type", filter == NEAREST ? "nearest" : "bilinear");
-            builder.text("wrap_mode", wrap(sampler, "wrapS"));
-            builder.text("wrap_mode_v", wrap(sampler, "wrapT"));
+            String wrap = wrap(sampler, "wrapS");
+            String wrapV = wrap(sampler, "wrapT");
+            builder.text("wrap_mode", wrap);
+            if (!wrapV.equals(wrap)) {
+                builder.text("wrap_mode_v", wrapV);
+            }
         }
         builder.transform("to_uv", toUv);
-        builder.integer("uv_set", set);
+        if (set != 0) {
+            builder.integer("uv_set", set);
+        }
         return builder.build();
     }
 

@@ -13,13 +13,13 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Reads PLY files, ASCII and binary of both byte orders: positions, normals ({@code nx ny nz}), texture coordinates
- * ({@code u v}, {@code s t} or {@code texture_u texture_v}) and colours ({@code red green blue}; whole numbers in sRGB,
+ * ({@code u v}, {@code s t} or {@code texture_u texture_v}; second ones {@code u1 v1}) and colours ({@code red green blue}; whole numbers in sRGB,
  * others linear) of the vertices and the list {@code vertex_indices} (or
  * {@code vertex_index}) of the faces. Polygons are cut into fans. Triangle strips are the
  * element {@code tristrips}. Other elements and properties are passed over.
  */
 public final class PlyReader {
-    /** Where a vertex property goes: 0–2 position, 3–5 normal, 6–7 texture coordinates, 8–10 colour. */
+    /** Where a vertex property goes: 0–2 position, 3–5 normal, 6–7 texture coordinates, 8–10 colour, 11–12 second coordinates. */
     private static final List<List<String>> TARGETS = List.of(
             List.of("x"),
             List.of("y"),
@@ -31,10 +31,12 @@ public final class PlyReader {
             List.of("v", "t", "texture_v", "texture_t"),
             List.of("red", "r", "diffuse_red", "vertex_color_r", "color_r"),
             List.of("green", "g", "diffuse_green", "vertex_color_g", "color_g"),
-            List.of("blue", "b", "diffuse_blue", "vertex_color_b", "color_b"));
+            List.of("blue", "b", "diffuse_blue", "vertex_color_b", "color_b"),
+            List.of("u1"),
+            List.of("v1"));
 
     private static final List<String> NAMES =
-            List.of("x", "y", "z", "nx", "ny", "nz", "u", "v", "red", "green", "blue");
+            List.of("x", "y", "z", "nx", "ny", "nz", "u", "v", "red", "green", "blue", "u1", "v1");
     private static final List<String> VERTEX_LISTS = List.of("vertex_indices", "vertex_index");
     private static final List<String> LABELS =
             NAMES.stream().map(name -> name + " of vertex ").toList();
@@ -48,6 +50,7 @@ public final class PlyReader {
     private float @Nullable [] positions;
     private float @Nullable [] normals;
     private float @Nullable [] texCoords;
+    private float @Nullable [] secondTexCoords;
     private float @Nullable [] colors;
     private boolean hasFaces;
 
@@ -93,7 +96,7 @@ public final class PlyReader {
         }
         int[] t = triangles.toArray();
         checkIndices(t, p.length / 3);
-        return new TriangleMesh(p, t, normals, texCoords, null, colors);
+        return new TriangleMesh(p, t, normals, texCoords, secondTexCoords, colors);
     }
 
     /** Refuses counts that the file is too short for before anything is allocated for them. */
@@ -140,6 +143,7 @@ public final class PlyReader {
         float @Nullable [] n = present[3] && present[4] && present[5] ? new float[3 * count] : null;
         float @Nullable [] uv = present[6] && present[7] ? new float[2 * count] : null;
         float @Nullable [] rgb = present[8] && present[9] && present[10] ? new float[3 * count] : null;
+        float @Nullable [] uv1 = present[11] && present[12] ? new float[2 * count] : null;
         for (int vertex = 0; vertex < count; vertex++) {
             for (int i = 0; i < targets.length; i++) {
                 int target = targets[i];
@@ -157,8 +161,13 @@ public final class PlyReader {
                         if (uv != null) {
                             uv[2 * vertex + target - 6] = target == 7 && flipTexCoords ? 1 - value : value;
                         }
-                    } else if (rgb != null) {
-                        rgb[3 * vertex + target - 8] = linear(properties.get(i).type(), value);
+                    } else if (target < 11) {
+                        if (rgb != null) {
+                            rgb[3 * vertex + target - 8] =
+                                    linear(properties.get(i).type(), value);
+                        }
+                    } else if (uv1 != null) {
+                        uv1[2 * vertex + target - 11] = target == 12 && flipTexCoords ? 1 - value : value;
                     }
                 }
             }
@@ -166,6 +175,7 @@ public final class PlyReader {
         positions = p;
         normals = n;
         texCoords = uv;
+        secondTexCoords = uv1;
         colors = rgb;
     }
 

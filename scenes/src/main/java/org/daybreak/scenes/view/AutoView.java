@@ -20,6 +20,7 @@ import org.daybreak.core.scene.LightNode;
 import org.daybreak.core.scene.LightSource;
 import org.daybreak.core.scene.Node;
 import org.daybreak.core.scene.SceneGraph;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Gives a scene the view and the light that its file leaves out.
@@ -37,6 +38,21 @@ public final class AutoView {
         /** z is up and y points away from the viewer: STL and other files of construction programs. */
         Z
     }
+
+    /**
+     * What was added to a scene.
+     *
+     * @param camera the camera, with a film; null if the scene has one
+     * @param light the light; null if the scene has one
+     */
+    public record Additions(
+            @Nullable CameraSettings camera, @Nullable LightNode light) {
+        /** Nothing. */
+        public static final Additions NONE = new Additions(null, null);
+    }
+
+    /** Reflectance of the material of models that name none. */
+    public static final double NEUTRAL_ALBEDO = 0.6;
 
     private static final int WIDTH = 960;
     private static final int HEIGHT = 720;
@@ -61,7 +77,7 @@ public final class AutoView {
 
     /** The material of models that name none: diffuse on both sides, albedo 0.6. */
     public static Bsdf neutralMaterial() {
-        Bsdf grey = new Diffuse(ConstantTexture.grey(0.6));
+        Bsdf grey = new Diffuse(ConstantTexture.grey(NEUTRAL_ALBEDO));
         return new TwoSided(grey, grey);
     }
 
@@ -71,23 +87,24 @@ public final class AutoView {
      *
      * @param graph the scene
      * @param up which axis of the model points up; matters only if there is no camera
+     * @return what was added
      * @throws IllegalArgumentException if there is no camera and nothing to look at, a group contains itself, or a
      *     transform is singular or not finite
      */
-    public static void complete(SceneGraph graph, UpAxis up) {
+    public static Additions complete(SceneGraph graph, UpAxis up) {
         FilmSettings film = graph.film();
         if (film == null) {
             film = new FilmSettings(WIDTH, HEIGHT, ReconstructionFilter.GAUSSIAN);
             graph.setFilm(film);
         }
-        CameraSettings camera = graph.camera();
-        if (camera == null) {
-            camera = fit(graph.root(), up, (double) film.width() / film.height());
-            graph.setCamera(camera);
+        CameraSettings given = graph.camera();
+        CameraSettings camera = given == null ? fit(graph.root(), up, (double) film.width() / film.height()) : given;
+        graph.setCamera(camera);
+        LightNode light = hasLight(graph.root(), new IdentityHashMap<>()) ? null : light(camera.toWorld());
+        if (light != null) {
+            graph.root().add(light);
         }
-        if (!hasLight(graph.root(), new IdentityHashMap<>())) {
-            graph.root().add(light(camera.toWorld()));
-        }
+        return new Additions(given == null ? camera : null, light);
     }
 
     /**

@@ -94,7 +94,7 @@ class MaterialTest {
         assertEquals(new Value.Color(0.5, 1, 1), Descriptions.value(product, "scale"));
         ObjectDescription base = Descriptions.child(product, ObjectKind.TEXTURE);
         assertEquals(new Value.Switch(false), Descriptions.value(base, "raw"));
-        assertEquals("all", Descriptions.text(base, "channel"));
+        assertEquals(Optional.empty(), Descriptions.find(base, "channel"));
         assertEquals(Optional.empty(), Descriptions.find(base, "wrap_mode"));
         Value.Content content = assertInstanceOf(Value.Content.class, Descriptions.value(base, "filename"));
         assertEquals("png", content.ending());
