@@ -184,16 +184,16 @@ def main():
     mi.set_variant("scalar_rgb")
     mi.set_log_level(mi.LogLevel.Error)
     results = {}
+    os.makedirs(os.path.dirname(RESULTS), exist_ok=True)
     if os.path.exists(RESULTS):
         with open(RESULTS, encoding="utf-8") as f:
             results = json.load(f)
     for name in names:
         results[name] = compare(name, arguments.runs, arguments.spp, daybreak)
         print(row(name, results[name]), flush=True)
-    results = {n: results[n] for n in known if n in results}
-    os.makedirs(os.path.dirname(RESULTS), exist_ok=True)
-    with open(RESULTS, "w", encoding="utf-8") as f:
-        json.dump(results, f, indent=1)
+        results = {n: results[n] for n in known if n in results}
+        with open(RESULTS, "w", encoding="utf-8") as f:
+            json.dump(results, f, indent=1)
     with open(PAGE, encoding="utf-8") as f:
         page = f.read()
     begin, end = "<!-- tables: benchmarks/agreement.py -->\n", "\n<!-- end of tables -->"
