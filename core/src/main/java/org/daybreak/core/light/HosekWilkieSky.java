@@ -64,7 +64,8 @@ final class HosekWilkieSky implements SkyModel {
 
     /**
      * Mean radiance over the sun's disk, in the units of {@link SkyModel}; by quadrature over rings and azimuths of the
-     * data's disk, what is below the horizon being black.
+     * data's disk, what is below the horizon being black. The rings have equal steps of cos ψ, in which the darkening of the
+     * limb is a polynomial, and so the weight 2 cos ψ.
      */
     static Spectrum meanSunRadiance(double turbidity, double sunZenithAngle) {
         HosekWilkieData data = HosekWilkieData.load();
@@ -72,14 +73,14 @@ final class HosekWilkieSky implements SkyModel {
         int low = Math.min((int) turbidity, HosekWilkieData.TURBIDITIES - 1) - 1;
         double blend = turbidity - 1 - low;
         double[] sum = new double[3];
-        int rings = 16;
+        int rings = 64;
         int azimuths = 16;
         for (int i = 0; i < rings; i++) {
-            double squaredRadius = (i + 0.5) / rings;
-            double cosPsi = Math.sqrt(1 - squaredRadius);
+            double cosPsi = (i + 0.5) / rings;
+            double radius = Math.sqrt(1 - cosPsi * cosPsi);
             for (int j = 0; j < azimuths; j++) {
                 double azimuth = 2 * Math.PI * (j + 0.5) / azimuths;
-                double e = elevation + SUN_HALF_ANGLE * Math.sqrt(squaredRadius) * Math.sin(azimuth);
+                double e = elevation + SUN_HALF_ANGLE * radius * Math.sin(azimuth);
                 if (e < 0) {
                     continue;
                 }
@@ -87,8 +88,9 @@ final class HosekWilkieSky implements SkyModel {
                         Math.min(HosekWilkieData.SEGMENTS - 1, Math.cbrt(2 * e / Math.PI) * HosekWilkieData.SEGMENTS);
                 double start = Math.PI / 2 * Math.pow((double) segment / HosekWilkieData.SEGMENTS, 3);
                 for (int c = 0; c < 3; c++) {
-                    sum[c] += (1 - blend) * sun(data, low, segment, c, e - start, cosPsi)
+                    double value = (1 - blend) * sun(data, low, segment, c, e - start, cosPsi)
                             + blend * sun(data, low + 1, segment, c, e - start, cosPsi);
+                    sum[c] += 2 * cosPsi * value;
                 }
             }
         }

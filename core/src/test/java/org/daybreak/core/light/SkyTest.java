@@ -54,6 +54,22 @@ class SkyTest {
         }
     }
 
+    /** Integrals over the disk of the data, by an independent program: 24 Gauss–Legendre nodes in cos ψ, 64 azimuths. */
+    @Test
+    void theMeanOfTheSunIsTheIntegral() {
+        double[][] table = {
+            {3, 50, 21599.9686, 17891.0027, 13429.749},
+            {2.5, 8, 13738.0426, 7687.2614, 2150.0515},
+            {1, 80, 22733.0326, 19285.0089, 15198.0492}
+        };
+        for (double[] row : table) {
+            Spectrum mean = HosekWilkieSky.meanSunRadiance(row[0], Math.toRadians(90 - row[1]));
+            assertEquals(row[2], mean.r, 1e-4 * row[2]);
+            assertEquals(row[3], mean.g, 1e-4 * row[3]);
+            assertEquals(row[4], mean.b, 1e-4 * row[4]);
+        }
+    }
+
     /** The mean of the disk is within 0.3 % of what Mitsuba 3.9.1 has in the table it ships. */
     @Test
     void sunsAreThoseOfMitsuba() {
