@@ -3,7 +3,7 @@
 
 Writes the numbers to standard output and the plots to docs/images/time_per_ray.png and docs/images/thread_speedup.png.
 Needs: python 3 with matplotlib; `mvn -DskipTests package` on a JDK 25; a machine that does nothing else meanwhile.
-Usage: benchmarks/scaling.py [--java PATH] [--largest 1e7] [--runs 5] [--scenes cornell_spheres,door_ajar]
+Usage: benchmarks/scaling.py [--java PATH] [--largest 7] [--runs 5] [--scenes cornell_spheres,door_ajar]
 """
 
 import argparse
@@ -27,7 +27,7 @@ IMAGES = os.path.join(ROOT, "docs", "images")
 def time_per_ray(java, largest):
     command = [java, "-Xmx12g", "-XX:+UseG1GC", "-XX:+UseTransparentHugePages", "--add-modules", "jdk.incubator.vector"]
     command += ["-cp", os.path.join(ROOT, "benchmarks", "target", "benchmarks.jar")]
-    command += ["org.daybreak.benchmarks.intersection.ScalingBenchmark", str(int(largest))]
+    command += ["org.daybreak.benchmarks.intersection.ScalingBenchmark", "vector512", str(largest)]
     text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     rows = list(csv.DictReader(line for line in io.StringIO(text) if "," in line))
     print(text)
@@ -78,7 +78,7 @@ def thread_speedup(scenes, runs, spp):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--java", default="java")
-    parser.add_argument("--largest", type=float, default=1e7)
+    parser.add_argument("--largest", type=int, default=7, help="power of ten of the number of triangles")
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--spp", type=int, default=256)
     parser.add_argument("--scenes", default="cornell_spheres,door_ajar")

@@ -46,9 +46,10 @@ class ArchitectureTest {
             "accel", Set.of("core"),
             "antialiasing", Set.of("core"),
             "tracing", Set.of("core", "antialiasing"),
+            "bidirectional", Set.of("core", "tracing"),
             "scenes", Set.of("core"),
-            "cli", Set.of("exr", "core", "accel", "antialiasing", "tracing", "scenes"),
-            "benchmarks", Set.of("exr", "core", "accel", "antialiasing", "tracing", "scenes", "cli"));
+            "cli", Set.of("exr", "core", "accel", "antialiasing", "tracing", "bidirectional", "scenes"),
+            "benchmarks", Set.of("exr", "core", "accel", "antialiasing", "tracing", "bidirectional", "scenes", "cli"));
 
     /** The programs: they may print, exit and use any library. All other top-level packages are library code. */
     private static final Set<String> PROGRAMS = Set.of("cli", "benchmarks");

@@ -2,9 +2,6 @@ package org.daybreak.convergence;
 
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.List;
 import java.util.Set;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.scene.SceneCompiler;
@@ -57,27 +54,13 @@ class CrossCheckTest {
         int samples = factor * (DIFFICULT.contains(name) ? 4 : 1);
         Runs path = Runs.of(Rendering.renderer("path"), scene, 3000, RUNS, 4L * samples);
         Runs light = Runs.of(Rendering.renderer("light"), scene, 4000, RUNS, 8L * samples);
-        ZTest.assertNoneRejected(name, pValues(path, light, tile, 1), SIGNIFICANCE);
+        ZTest.assertNoneRejected(name, path.pValues(light, tile, 1), SIGNIFICANCE);
         for (double wrong : new double[] {1 - detectable, 1 + detectable}) {
-            double[] pValues = pValues(path, light, tile, wrong);
+            double[] pValues = path.pValues(light, tile, wrong);
             assertThrows(
                     AssertionError.class,
                     () -> ZTest.assertNoneRejected(name, pValues, SIGNIFICANCE),
                     () -> name + ": an image " + wrong + " times as bright is not found out");
         }
-    }
-
-    /** p-values of tiles of all channels and of their means; the second image is made brighter by a factor. */
-    private static double[] pValues(Runs path, Runs light, int tile, double factor) {
-        List<double[]> parts = new ArrayList<>();
-        for (String channel : Runs.CHANNELS) {
-            for (int size : new int[] {tile, path.width()}) {
-                double[][] scaled = Arrays.stream(light.tiles(channel, size))
-                        .map(run -> Arrays.stream(run).map(v -> factor * v).toArray())
-                        .toArray(double[][]::new);
-                parts.add(ZTest.tilesOfRuns(path.tiles(channel, size), scaled));
-            }
-        }
-        return parts.stream().flatMapToDouble(Arrays::stream).toArray();
     }
 }

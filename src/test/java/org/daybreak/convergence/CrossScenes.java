@@ -44,7 +44,7 @@ import org.daybreak.core.scene.ShapeNode;
  * Scenes of random colours and places that both a path tracer and a light tracer can form: nothing that the camera sees
  * scatters in ideal directions only.
  */
-final class CrossScenes {
+public final class CrossScenes {
     private static final int SIZE = 24;
 
     private final SceneGraph graph = new SceneGraph();
@@ -55,7 +55,7 @@ final class CrossScenes {
     }
 
     /** All scenes by name. */
-    static Map<String, SceneGraph> all() {
+    public static Map<String, SceneGraph> all() {
         Map<String, SceneGraph> scenes = new LinkedHashMap<>();
         Transform ceiling = Transform.translate(0.2, 0.95, -0.1)
                 .multiply(Transform.rotate(1, 0, 0, 90))

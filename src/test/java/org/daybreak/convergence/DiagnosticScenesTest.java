@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
@@ -94,7 +95,31 @@ class DiagnosticScenesTest {
 
     private static final Map<String, String> NO_ROULETTE = Map.of("rrDepth", "1000000");
 
-    private static final List<Subject> SUBJECTS = List.of(
+    private static final List<String> BIDIRECTIONAL_SCENES = List.of(
+            "furnace_sphere/scene_mirror.xml",
+            "furnace_sphere/scene_glass.xml",
+            "furnace_sphere/scene_diffuse1.xml",
+            "furnace_sphere/scene_diffuse05.xml",
+            "furnace_box/scene_depth1.xml",
+            "furnace_box/scene_depth2.xml",
+            "furnace_box/scene_depth3.xml",
+            "furnace_box/scene_depth4.xml",
+            "furnace_box/scene_depthinf.xml",
+            "point_plane/scene.xml",
+            "disk_light/scene.xml",
+            "rect_light/scene.xml",
+            "sphere_light/scene.xml",
+            "two_squares/scene_direct.xml",
+            "concentric_spheres/scene.xml",
+            "parallel_planes/scene.xml",
+            "glass_slab/scene.xml",
+            "mirror_corridor/scene.xml",
+            "glass_shell/scene.xml");
+
+    private static final List<Subject> SUBJECTS = Stream.concat(single(), bidirectional()).toList();
+
+    private static Stream<Subject> single() {
+        return Stream.of(
             exact("furnace_sphere/scene_mirror.xml", "path", Map.of()),
             exact("furnace_sphere/scene_mirror.xml", "raytracer", Map.of()),
             // Each reflection within the sphere has probability 0.04 or so and weight 1.
@@ -149,6 +174,42 @@ class DiagnosticScenesTest {
             new Subject("glass_shell/scene.xml", "path", Map.of(), Comparison.BLACK, 1, 8, 0),
             new Subject("glass_shell/scene.xml", "raytracer", Map.of(), Comparison.BLACK, 1, 8, 0),
             mean("glass_shell/scene.xml", "light", 8, 32, 0.03));
+    }
+
+    /** All scenes, and some with limits of depth that leave all light to be found. */
+    private static Stream<Subject> bidirectional() {
+        Stream<Subject> limits = Stream.of("furnace_box/scene_depth4.xml", "concentric_spheres/scene.xml")
+                .flatMap(scene -> Stream.of(
+                        bidirectional(scene, Map.of("maxEyeDepth", "1"), 8),
+                        bidirectional(scene, Map.of("maxEyeDepth", "2"), 8),
+                        bidirectional(scene, Map.of("maxLightDepth", "1"), 8),
+                        bidirectional(scene, Map.of("maxLightDepth", "2", "heuristicExponent", "1"), 8),
+                        bidirectional(scene, Map.of("causticMap", "false"), 8),
+                        bidirectional(scene, Map.of("lightsPerPath", "all"), 8)));
+        return Stream.concat(BIDIRECTIONAL_SCENES.stream().map(scene -> bidirectional(scene, "2")), limits);
+    }
+
+    /** All scenes with the other exponents of the heuristic: in the ordinary build one of the two for each scene. */
+    private static Stream<Subject> otherExponents(boolean all) {
+        List<Subject> subjects = new ArrayList<>();
+        for (int i = 0; i < BIDIRECTIONAL_SCENES.size(); i++) {
+            for (int exponent = 0; exponent < 2; exponent++) {
+                if (all || exponent == i % 2) {
+                    subjects.add(bidirectional(BIDIRECTIONAL_SCENES.get(i), Integer.toString(exponent)));
+                }
+            }
+        }
+        return subjects.stream();
+    }
+
+    private static Subject bidirectional(String scene, String exponent) {
+        int samples = scene.startsWith("glass_shell/") ? 32 : scene.startsWith("furnace_sphere/") ? 16 : 4;
+        return bidirectional(scene, Map.of("heuristicExponent", exponent), samples);
+    }
+
+    private static Subject bidirectional(String scene, Map<String, String> parameters, int samplesPerPixel) {
+        return new Subject(scene, "bidirectional", parameters, Comparison.MEAN, 8, samplesPerPixel, 0.03);
+    }
 
     /** Scenes that a renderer cannot form, and why. */
     private static final Map<String, String> NOT_FORMED = Map.of(
@@ -163,8 +224,12 @@ class DiagnosticScenesTest {
         return new Subject(scene, renderer, parameters, Comparison.EXACT, 1, 4, 0);
     }
 
-    static List<Subject> subjects() {
-        return SUBJECTS;
+    static Stream<Subject> subjects() {
+        return Stream.concat(SUBJECTS.stream(), otherExponents(false));
+    }
+
+    static Stream<Subject> allSubjects() {
+        return Stream.concat(SUBJECTS.stream(), otherExponents(true));
     }
 
     @Test
@@ -174,7 +239,8 @@ class DiagnosticScenesTest {
         try (Stream<Path> files = Files.walk(folder, 2)) {
             files.filter(file -> file.getFileName().toString().endsWith(".xml"))
                     .map(file -> folder.relativize(file).toString().replace('\\', '/'))
-                    .forEach(scene -> wanted.addAll(List.of(scene + " path", scene + " light")));
+                    .forEach(scene -> wanted.addAll(
+                            List.of(scene + " path", scene + " light", scene + " bidirectional")));
         }
         Set<String> covered = SUBJECTS.stream()
                 .filter(subject -> !subject.renderer.equals("raytracer"))
@@ -207,7 +273,7 @@ class DiagnosticScenesTest {
 
     @Tag("reference")
     @ParameterizedTest
-    @MethodSource("subjects")
+    @MethodSource("allSubjects")
     void meetsItsClosedFormClosely(Subject subject) throws IOException, SceneException {
         boolean small = subject.tile <= 8;
         // The error falls at least as the root of the number of samples; what is lost by more tests is little.

@@ -1,60 +1,103 @@
 package org.daybreak.convergence;
 
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import org.daybreak.core.testing.Grids;
+import org.daybreak.core.testing.Moments;
 import org.daybreak.exr.ExrImage;
 import org.daybreak.exr.ExrReader;
 import org.daybreak.exr.ImageFileException;
 
 /**
- * An image that other programs rendered, with the standard error of each pixel: {@code src/test/resources/reference}. Its
- * README says how it may be used.
+ * An image with the variance of each pixel: one that other programs rendered, in {@code src/test/resources/reference}, whose
+ * README says how it may be used; or the means of independent runs of a renderer of ours.
  */
 final class ReferenceImage {
     /** Edge of the window over which variances are averaged: that of a pixel rests on 6 to 7 degrees of freedom. */
     private static final int SMOOTHING = 7;
 
     private final boolean correlated;
-    private final ExrImage mean;
-    private final ExrImage error;
+    private final int width;
+    private final int height;
+    private final Map<String, double[]> means;
+    private final Map<String, double[]> variances;
 
-    private ReferenceImage(boolean correlated, ExrImage mean, ExrImage error) {
+    private ReferenceImage(
+            boolean correlated, int width, int height, Map<String, double[]> means, Map<String, double[]> variances) {
         this.correlated = correlated;
-        this.mean = mean;
-        this.error = error;
+        this.width = width;
+        this.height = height;
+        this.means = means;
+        this.variances = variances;
     }
 
     static ReferenceImage of(String scene) throws ImageFileException {
         Path folder = ShippedScenes.repository()
                 .resolve("src/test/resources/reference")
                 .resolve(scene);
+        ExrImage mean = ExrReader.read(folder.resolve("reference.exr"));
+        ExrImage error = ExrReader.read(folder.resolve("standard_error.exr"));
+        Map<String, double[]> means = new HashMap<>();
+        Map<String, double[]> variances = new HashMap<>();
+        for (String channel : Runs.CHANNELS) {
+            means.put(channel, Runs.toDoubles(mean.samples(channel)));
+            double[] squares = Arrays.stream(Runs.toDoubles(error.samples(channel)))
+                    .map(e -> e * e)
+                    .toArray();
+            variances.put(channel, boxMean(squares, mean.width(), SMOOTHING));
+        }
+        // Part of this image comes from Markov chains, whose errors neighbouring pixels share.
+        boolean correlated = scene.equals("door_ajar");
+        return new ReferenceImage(correlated, mean.width(), mean.height(), means, variances);
+    }
+
+    /** The means of the tiles of independent runs, a pixel for each. */
+    static ReferenceImage of(Runs runs, int tile) {
+        Map<String, double[]> means = new HashMap<>();
+        Map<String, double[]> variances = new HashMap<>();
+        int tiles = Grids.tiles(runs.width(), tile) * Grids.tiles(runs.height(), tile);
+        for (String channel : Runs.CHANNELS) {
+            double[][] values = runs.tiles(channel, tile);
+            double[] mean = new double[tiles];
+            double[] variance = new double[tiles];
+            for (int i = 0; i < tiles; i++) {
+                Moments moments = Runs.moments(values, i);
+                mean[i] = moments.mean();
+                variance[i] = moments.varianceOfMean();
+            }
+            means.put(channel, mean);
+            variances.put(channel, variance);
+        }
         return new ReferenceImage(
-                // Part of this image comes from Markov chains, whose errors neighbouring pixels share.
-                scene.equals("door_ajar"),
-                ExrReader.read(folder.resolve("reference.exr")),
-                ExrReader.read(folder.resolve("standard_error.exr")));
+                false, Grids.tiles(runs.width(), tile), Grids.tiles(runs.height(), tile), means, variances);
     }
 
     int width() {
-        return mean.width();
+        return width;
     }
 
     int height() {
-        return mean.height();
+        return height;
     }
 
     /** Values of a channel, pixel by pixel. */
     double[] values(String channel) {
-        return Runs.toDoubles(mean.samples(channel));
+        return value(means, channel);
     }
 
-    /** Variances of these values, smoothed. */
+    /** Variances of these values. */
     double[] variances(String channel) {
-        float[] errors = error.samples(channel);
-        double[] variances = new double[errors.length];
-        for (int i = 0; i < variances.length; i++) {
-            variances[i] = (double) errors[i] * errors[i];
-        }
-        return boxMean(variances, width(), SMOOTHING);
+        return value(variances, channel);
+    }
+
+    private static double[] value(Map<String, double[]> channels, String channel) {
+        double[] values = channels.get(channel);
+        assertNotNull(values);
+        return values;
     }
 
     /**

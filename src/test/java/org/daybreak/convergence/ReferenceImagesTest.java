@@ -4,7 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.Locale;
+import java.util.Map;
 import org.daybreak.core.render.Renderer;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.testing.Grids;
@@ -18,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Path tracing against images that other programs rendered, block by block of 10×10 reference pixels and as a whole.
+ * Path tracing and bidirectional path tracing against images that other programs rendered, block by block of 10×10 reference pixels and as a whole.
  *
  * <p><b>Test.</b> Independent runs give the mean of each block and its variance. The difference to the reference is divided
  * by the root of both variances and compared with Student's distribution; its degrees of freedom are those of the runs by
@@ -73,7 +75,56 @@ class ReferenceImagesTest {
             double outliers,
             double detectable)
             throws SceneException, ImageFileException {
-        check(scene, 5, block, samplesPerPixel, rare, uncertain, outliers, detectable);
+        check("path", Map.of(), scene, 5, block, samplesPerPixel, rare, uncertain, outliers, detectable);
+    }
+
+    /** The same for bidirectional path tracing: no path is rare but where the lamp of a room is behind glass. */
+    @ParameterizedTest
+    @CsvSource({
+        "cornell_spheres, 2, 20, 4, false, 0.01, 0.05, 0.02",
+        "gold_ring, 2, 20, 4, false, 0.01, 0.05, 0.02",
+        "veach_room, 2, 25, 4, false, 0.03, 0.05, 0.02",
+        "door_ajar, 2, 25, 4, false, 0.35, 0.1, 0.05",
+        "cornell_spheres, 1, 20, 4, false, 0.01, 0.05, 0.02",
+        "veach_room, 0, 25, 4, false, 0.03, 0.05, 0.02",
+    })
+    void bidirectionalPathTracingAgreesAtSmallSize(
+            String scene,
+            String exponent,
+            int block,
+            int samplesPerPixel,
+            boolean rare,
+            double uncertain,
+            double outliers,
+            double detectable)
+            throws SceneException, ImageFileException {
+        Map<String, String> parameters = Map.of("heuristicExponent", exponent);
+        check("bidirectional", parameters, scene, 5, block, samplesPerPixel, rare, uncertain, outliers, detectable);
+    }
+
+    /** As above, at full size. */
+    @Tag("reference")
+    @ParameterizedTest
+    @CsvSource({
+        "cornell_spheres, 2, 10, 4, false, 0.01, 0.05, 0.01",
+        "gold_ring, 2, 20, 4, false, 0.05, 0.05, 0.02",
+        "veach_room, 2, 10, 4, false, 0.35, 0.05, 0.02",
+        "door_ajar, 2, 10, 4, false, 0.35, 0.1, 0.03",
+        "cornell_spheres, 0, 10, 4, false, 0.01, 0.05, 0.02",
+        "veach_room, 1, 10, 4, false, 0.35, 0.05, 0.02",
+    })
+    void bidirectionalPathTracingAgrees(
+            String scene,
+            String exponent,
+            int block,
+            int samplesPerPixel,
+            boolean rare,
+            double uncertain,
+            double outliers,
+            double detectable)
+            throws SceneException, ImageFileException {
+        Map<String, String> parameters = Map.of("heuristicExponent", exponent);
+        check("bidirectional", parameters, scene, 1, block, samplesPerPixel, rare, uncertain, outliers, detectable);
     }
 
     /** As above, at full size. */
@@ -94,10 +145,83 @@ class ReferenceImagesTest {
             double outliers,
             double detectable)
             throws SceneException, ImageFileException {
-        check(scene, 1, block, samplesPerPixel, rare, uncertain, outliers, detectable);
+        check("path", Map.of(), scene, 1, block, samplesPerPixel, rare, uncertain, outliers, detectable);
+    }
+
+    /** Path tracing against bidirectional path tracing, whose tile means take the place of the reference. */
+    @ParameterizedTest
+    @CsvSource({
+        "cornell_spheres, 1, 10, 16, 4, 0.05, 0.03",
+        "gold_ring, 2, 10, 64, 4, 0.25, 0.1",
+        "veach_room, 0, 10, 16, 4, 0.2, 0.1",
+        "door_ajar, 1, 10, 16, 8, 0.2, 0.1",
+    })
+    void pathTracingAgreesWithBidirectional(
+            String scene,
+            String exponent,
+            int shrink,
+            int samplesPerPixel,
+            int bidirectionalSamples,
+            double outliers,
+            double detectable)
+            throws SceneException, ImageFileException {
+        checkWithBidirectional(scene, exponent, shrink, samplesPerPixel, bidirectionalSamples, outliers, detectable);
+    }
+
+    /** As above, with all exponents and more samples. */
+    @Tag("reference")
+    @ParameterizedTest
+    @CsvSource({
+        "cornell_spheres, 0, 5, 32, 8, 0.05, 0.02",
+        "cornell_spheres, 1, 5, 32, 8, 0.05, 0.02",
+        "cornell_spheres, 2, 5, 32, 8, 0.05, 0.02",
+        "gold_ring, 0, 5, 64, 8, 0.25, 0.1",
+        "gold_ring, 1, 5, 64, 8, 0.25, 0.1",
+        "gold_ring, 2, 5, 64, 8, 0.25, 0.1",
+        "veach_room, 0, 5, 32, 8, 0.2, 0.1",
+        "veach_room, 1, 5, 32, 8, 0.2, 0.1",
+        "veach_room, 2, 5, 32, 8, 0.2, 0.1",
+        "door_ajar, 0, 5, 32, 8, 0.2, 0.1",
+        "door_ajar, 1, 5, 32, 8, 0.2, 0.1",
+        "door_ajar, 2, 5, 32, 8, 0.2, 0.1",
+    })
+    void pathTracingAgreesCloselyWithBidirectional(
+            String scene,
+            String exponent,
+            int shrink,
+            int samplesPerPixel,
+            int bidirectionalSamples,
+            double outliers,
+            double detectable)
+            throws SceneException, ImageFileException {
+        checkWithBidirectional(scene, exponent, shrink, samplesPerPixel, bidirectionalSamples, outliers, detectable);
+    }
+
+    private static void checkWithBidirectional(
+            String name,
+            String exponent,
+            int shrink,
+            int samplesPerPixel,
+            int bidirectionalSamples,
+            double outliers,
+            double detectable)
+            throws SceneException, ImageFileException {
+        SceneFile file = ShippedScenes.read(name + "/scene.xml");
+        ReferenceImage size = ReferenceImage.of(name);
+        Scene scene = ShippedScenes.compile(file.graph(), size.width() / shrink, size.height() / shrink);
+        Map<String, String> parameters = new HashMap<>(file.request().parameters());
+        Runs path = Runs.of(Rendering.renderer("path", parameters), scene, 5500, RUNS, samplesPerPixel);
+        parameters.put("heuristicExponent", exponent);
+        Runs both = Runs.of(
+                Rendering.renderer("bidirectional", parameters), scene, 6500, RUNS, bidirectionalSamples);
+        int tile = 6;
+        boolean rare = !name.equals("cornell_spheres");
+        expectAgreement(name, path, tile, ReferenceImage.of(both, tile), 1, rare, 0.2, outliers, detectable);
     }
 
     private static void check(
+            String rendererId,
+            Map<String, String> parameters,
             String name,
             int shrink,
             int block,
@@ -111,9 +235,24 @@ class ReferenceImagesTest {
         ReferenceImage reference = ReferenceImage.of(name);
         assertEquals(0, reference.width() % shrink + reference.height() % shrink + block % shrink, "pixels are whole");
         Scene scene = ShippedScenes.compile(file.graph(), reference.width() / shrink, reference.height() / shrink);
-        Renderer renderer = Rendering.renderer("path", file.request().parameters());
+        Map<String, String> all = new HashMap<>(file.request().parameters());
+        all.putAll(parameters);
+        Renderer renderer = Rendering.renderer(rendererId, all);
         Runs runs = Runs.of(renderer, scene, 5000, RUNS, samplesPerPixel);
-        Outcome right = compare(runs, reference, shrink, block, rare, 1);
+        expectAgreement(name, runs, block / shrink, reference, block, rare, uncertain, outliers, detectable);
+    }
+
+    private static void expectAgreement(
+            String name,
+            Runs runs,
+            int tile,
+            ReferenceImage reference,
+            int block,
+            boolean rare,
+            double uncertain,
+            double outliers,
+            double detectable) {
+        Outcome right = compare(runs, tile, reference, block, rare, 1);
         System.out.println(name + ": " + right);
         assertTrue(
                 right.uncertain <= uncertain * right.blocks, () -> name + ": too many blocks are left out: " + right);
@@ -121,7 +260,7 @@ class ReferenceImagesTest {
         assertTrue(right.agrees(), () -> name + ": " + right);
         for (double factor : new double[] {1 - detectable, 1 + detectable}) {
             assertTrue(
-                    !compare(runs, reference, shrink, block, rare, factor).agrees(),
+                    !compare(runs, tile, reference, block, rare, factor).agrees(),
                     () -> String.format(
                             Locale.ROOT, "%s: an image %.3f times as bright is not found out", name, factor));
         }
@@ -145,9 +284,14 @@ class ReferenceImagesTest {
         }
     }
 
-    /** Compares the runs, made brighter by a factor, with the reference. */
+    /**
+     * Compares the runs, made brighter by a factor, with the reference.
+     *
+     * @param tile edge in pixels of what is a block of the reference
+     * @param block edge of a block in pixels of the reference
+     */
     private static Outcome compare(
-            Runs runs, ReferenceImage reference, int shrink, int block, boolean rare, double factor) {
+            Runs runs, int tile, ReferenceImage reference, int block, boolean rare, double factor) {
         int columns = Grids.tiles(reference.width(), block);
         int perChannel = columns * Grids.tiles(reference.height(), block);
         double level = Significance.sidak(SIGNIFICANCE, Runs.CHANNELS.size() * perChannel);
@@ -158,7 +302,7 @@ class ReferenceImagesTest {
         double smallest = 1;
         double meanPValue = 1;
         for (String channel : Runs.CHANNELS) {
-            double[][] blocks = Arrays.stream(runs.tiles(channel, block / shrink))
+            double[][] blocks = Arrays.stream(runs.tiles(channel, tile))
                     .map(run -> Arrays.stream(run).map(v -> factor * v).toArray())
                     .toArray(double[][]::new);
             double[] expected = Grids.tileMeans(reference.values(channel), reference.width(), block);

@@ -9,6 +9,7 @@ import org.daybreak.core.scene.Scene;
 import org.daybreak.core.testing.Grids;
 import org.daybreak.core.testing.Moments;
 import org.daybreak.core.testing.Significance;
+import org.daybreak.core.testing.ZTest;
 
 /**
  * Independent renders of one scene with different seeds. Mean and variance over them need nothing to be independent
@@ -111,6 +112,24 @@ final class Runs {
             }
         }
         return pValues;
+    }
+
+    /**
+     * p-values of Welch's t-tests against other runs: of tiles of all channels, and of the means of the image.
+     *
+     * @param factor by which the others are made brighter
+     */
+    double[] pValues(Runs other, int tile, double factor) {
+        List<double[]> parts = new ArrayList<>();
+        for (String channel : CHANNELS) {
+            for (int size : new int[] {tile, width}) {
+                double[][] scaled = Arrays.stream(other.tiles(channel, size))
+                        .map(run -> Arrays.stream(run).map(v -> factor * v).toArray())
+                        .toArray(double[][]::new);
+                parts.add(ZTest.tilesOfRuns(tiles(channel, size), scaled));
+            }
+        }
+        return parts.stream().flatMapToDouble(Arrays::stream).toArray();
     }
 
     static double[] toDoubles(float[] values) {

@@ -40,6 +40,11 @@ class ScaleInvarianceTest {
         "gold_ring, path, 13",
         "door_ajar, path, -13",
         "door_ajar, path, 13",
+        "cornell_spheres, bidirectional, -13",
+        "cornell_spheres, bidirectional, 13",
+        "gold_ring, bidirectional, -13",
+        "door_ajar, bidirectional, 13",
+        "veach_room, bidirectional, 13",
     })
     void powersOfTwoDoNotChangeABit(String name, String rendererId, int exponent) throws SceneException {
         Renderer renderer = Rendering.renderer(rendererId);
@@ -82,9 +87,14 @@ class ScaleInvarianceTest {
 
     /** Other seeds, so that the images are independent: t-tests per tile, false-alarm rate 1e-4 for each scene. */
     @ParameterizedTest
-    @CsvSource({"cornell_spheres, 1e-4", "cornell_spheres, 1e4"})
-    void meansAreEqual(String name, double factor) throws SceneException {
-        Renderer renderer = Rendering.renderer("path");
+    @CsvSource({
+        "cornell_spheres, path, 1e-4",
+        "cornell_spheres, path, 1e4",
+        "cornell_spheres, bidirectional, 1e-4",
+        "cornell_spheres, bidirectional, 1e4",
+    })
+    void meansAreEqual(String name, String rendererId, double factor) throws SceneException {
+        Renderer renderer = Rendering.renderer(rendererId);
         Runs expected = Runs.of(renderer, scaled(name, 1), 100, 16, 8);
         Runs actual = Runs.of(renderer, scaled(name, factor), 200, 16, 8);
         double[] pValues = ZTest.tilesOfRuns(expected.tiles("G", 12), actual.tiles("G", 12));

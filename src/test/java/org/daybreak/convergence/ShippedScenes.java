@@ -12,11 +12,11 @@ import org.daybreak.scenes.SceneReader;
 import org.daybreak.scenes.description.SceneException;
 
 /** The scenes of the repository. */
-final class ShippedScenes {
+public final class ShippedScenes {
     private ShippedScenes() {}
 
     /** The repository's folder. */
-    static Path repository() {
+    public static Path repository() {
         return Path.of(System.getProperty("daybreak.root"));
     }
 
@@ -25,17 +25,17 @@ final class ShippedScenes {
      *
      * @param file name below {@code scenes}
      */
-    static SceneFile read(String file) throws SceneException {
+    public static SceneFile read(String file) throws SceneException {
         return new SceneReader().load(repository().resolve("scenes").resolve(file), Map.of());
     }
 
     /** Compiles with the size and filter of the file. */
-    static Scene compile(SceneGraph graph) {
+    public static Scene compile(SceneGraph graph) {
         return SceneCompiler.compile(graph);
     }
 
     /** Compiles with a size; the filter is the box of one pixel. The field of view stays, the aspect ratio should. */
-    static Scene compile(SceneGraph graph, int width, int height) {
+    public static Scene compile(SceneGraph graph, int width, int height) {
         graph.setFilm(new FilmSettings(width, height, ReconstructionFilter.BOX));
         return SceneCompiler.compile(graph);
     }

@@ -12,9 +12,9 @@ import org.daybreak.core.sampling.SobolSampler;
 import org.daybreak.core.sampling.StreamDomain;
 
 /**
- * More samples where the image is noisier. The first pass is uniform; each later one has as many samples as all before it
- * together and divides them in proportion to the standard deviation of a pixel's samples so far, which makes the mean squared error
- * least (Neyman 1934), or to its ratio to the pixel's mean. Unbiased, see {@link SampleAllocation}.
+ * More samples where the image is noisier: two small uniform passes show where that is, and a large one divides its samples by it. Very
+ * many samples are divided in several passes, of which each is four times as large as all before it. Unbiased, see
+ * {@link SampleAllocation}.
  */
 public final class AdaptiveSampling implements AntialiasingFactory {
     private static final int GROUP_SIZE = 4;
@@ -37,12 +37,12 @@ public final class AdaptiveSampling implements AntialiasingFactory {
         return List.of(
                 Parameter.integer(
                         "firstPass",
-                        "Samples per pixel of the first pass",
-                        8,
+                        "Samples per pixel of each of the first two passes",
+                        4,
                         2,
                         1 << 16,
-                        "What the first estimate is made from. The number of samples per pixel is rounded up to a power"
-                                + " of two times this."),
+                        "What the first estimate of the error is made from. A render of less than four times this number"
+                                + " is uniform."),
                 Parameter.choice(
                         "error",
                         "Error to be made small",
@@ -74,11 +74,7 @@ public final class AdaptiveSampling implements AntialiasingFactory {
 
         @Override
         public long samplesPerPixel(long requested) {
-            long samples = firstPass;
-            while (samples < requested) {
-                samples *= 2;
-            }
-            return samples;
+            return requested;
         }
 
         @Override

@@ -68,7 +68,8 @@ final class FilmOptions {
         throw new CommandException(ExitCode.USAGE, "there is no layer '" + id + "'" + NearestName.hint(id, layerIds()));
     }
 
-    private static int[] numbers(String option, String text, String separator, String form, int count) {
+    /** Whole numbers with separators between them; {@link ExitCode#USAGE} if the text has another form. */
+    static int[] numbers(String option, String text, String separator, String form, int count) {
         String[] parts = text.split(separator, -1);
         int[] numbers = new int[count];
         try {

@@ -65,6 +65,7 @@ public final class Main {
         CommandLine daybreak = new CommandLine(new DaybreakCommand());
         Map<String, Supplier<Object>> commands = new LinkedHashMap<>();
         commands.put("render", () -> new RenderCommand(session));
+        commands.put("replay", () -> new ReplayCommand(session));
         commands.put("list", () -> new ListCommand(session));
         commands.put("info", () -> new InfoCommand(session));
         commands.put("diff", () -> new DiffCommand(session));

@@ -135,7 +135,7 @@ record OutputFile(Path path, Format format) {
      */
     void write(FilmImage image, java.util.Map<String, ExrAttribute> attributes) throws ImageFileException {
         switch (format) {
-            case EXR -> ExrWriter.write(path, exr(image, attributes));
+            case EXR -> ExrWriter.write(path, exr(image.settings(), image.channels(), attributes));
             case DAYBREAK -> throw new IllegalArgumentException("a partial film is no image");
             default ->
                 writeColor(
@@ -174,14 +174,23 @@ record OutputFile(Path path, Format format) {
         return values;
     }
 
-    private static ExrImage exr(FilmImage image, java.util.Map<String, ExrAttribute> attributes) {
-        FilmSettings film = image.settings();
-        ExrImage.Builder builder = ExrImage.builder(image.width(), image.height())
+    /**
+     * An OpenEXR image of floats.
+     *
+     * @param film the film; its crop is the data window
+     * @param channels values of the crop by the names of the channels, rows from the top
+     */
+    static ExrImage exr(
+            FilmSettings film,
+            java.util.Map<String, float[]> channels,
+            java.util.Map<String, ExrAttribute> attributes) {
+        ExrImage.Builder builder = ExrImage.builder(
+                        film.crop().width(), film.crop().height())
                 .dataWindowOrigin(film.crop().x(), film.crop().y())
                 .displayWindow(Box2i.ofSize(film.width(), film.height()))
                 .attribute("chromaticities", new ExrAttribute.ChromaticitiesValue(Chromaticities.REC_709))
                 .attributes(attributes);
-        image.channels().forEach((name, samples) -> builder.channel(name, PixelType.FLOAT, samples));
+        channels.forEach((name, samples) -> builder.channel(name, PixelType.FLOAT, samples));
         return builder.build();
     }
 

@@ -7,14 +7,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import org.daybreak.cli.partial.PartialFilmFile;
 import org.daybreak.cli.partial.RenderIdentity;
 import org.daybreak.core.accel.Intersectors;
 import org.daybreak.core.film.FilmLayer;
 import org.daybreak.core.film.FilmSettings;
 import org.daybreak.core.render.AntialiasingFactory;
-import org.daybreak.core.render.Parameter;
-import org.daybreak.core.render.ParameterException;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.render.RenderBudget;
 import org.daybreak.core.render.RenderPart;
@@ -161,15 +160,20 @@ final class RenderCommand implements Callable<Integer> {
             throw new CommandException(ExitCode.USAGE, "--target-error cannot be used with --part");
         }
         if (renderer != null) {
-            ParameterValues.parse(Services.renderer(renderer).parameters(), parameters, renderer);
+            RendererFactory factory = Services.renderer(renderer);
+            ParameterValues values = ParameterValues.parse(factory.parameters(), parameters, renderer);
+            SheetFolder.check(SheetFolder.of(factory, values), outputPaths(files));
         }
 
         SceneFile file = Scenes.load(scene, defines, session);
         RenderSettingsRequest request = file.request();
-        FilmSettings film = film(file);
+        FilmSettings film = RendererChoice.film(scene, file, size, crop);
         file.graph().setFilm(film);
-        RendererFactory factory = factory(request);
-        ParameterValues values = values(factory, request);
+        RendererChoice choice = RendererChoice.of(renderer, parameters, scene, request);
+        RendererFactory factory = choice.factory();
+        ParameterValues values = choice.values();
+        List<SheetFolder> folders = SheetFolder.of(factory, values);
+        SheetFolder.check(folders, outputPaths(files));
         checkResumable(factory, values, files);
         RenderBudget budget = request.samplesPerPixel().isPresent()
                 ? budget(request.samplesPerPixel().getAsInt())
@@ -177,7 +181,7 @@ final class RenderCommand implements Callable<Integer> {
         long actualSeed = seed != null ? seed : request.seed().orElse(0);
         Map<String, String> identity = identity(file, needState(files), film, filmLayers, budget);
         identity.put(RenderIdentity.RENDERER, factory.id());
-        identity.put(RenderIdentity.PARAMETERS, JsonText.line(values.asMap()));
+        identity.put(RenderIdentity.PARAMETERS, JsonText.line(choice.imageParameters()));
         identity.put(RenderIdentity.ANTIALIASING, method.id());
         identity.put(RenderIdentity.ANTIALIASING_PARAMETERS, JsonText.line(methodValues.asMap()));
         identity.put(RenderIdentity.SEED, Long.toString(actualSeed));
@@ -193,6 +197,7 @@ final class RenderCommand implements Callable<Integer> {
                 actualSeed,
                 threadCount,
                 files,
+                folders,
                 identity,
                 states.choose(identity));
         times.begin("compile");
@@ -207,10 +212,14 @@ final class RenderCommand implements Callable<Integer> {
 
     private void checkResumable(RendererFactory factory, ParameterValues values, List<OutputFile> files) {
         if (needState(files) && !factory.create(values).isResumable()) {
+            String further = SheetFolder.of(factory, values).stream()
+                    .map(folder -> " with -P " + folder.parameter())
+                    .collect(Collectors.joining());
             throw new CommandException(
                     ExitCode.USAGE,
-                    "renderer '" + factory.id() + "' can neither be resumed nor cut into parts: leave out --checkpoint,"
-                            + " --resume, --part and outputs with the ending daybreak");
+                    "renderer '" + factory.id() + "'" + further
+                            + " can neither be resumed nor cut into parts: leave out"
+                            + " --checkpoint, --resume, --part and outputs with the ending daybreak");
         }
     }
 
@@ -263,13 +272,18 @@ final class RenderCommand implements Callable<Integer> {
                     ExitCode.USAGE,
                     "a part of an image can only be written to a file with the ending " + PartialFilmFile.ENDING);
         }
-        List<Path> all = new ArrayList<>(paths);
+        OutputFile.checkWritable(outputPaths(files));
+        return files;
+    }
+
+    private List<Path> outputPaths(List<OutputFile> files) {
+        List<Path> all = new ArrayList<>();
+        files.forEach(file -> all.add(file.path()));
         all.addAll(states.files());
         if (statistics != null) {
             all.add(statistics);
         }
-        OutputFile.checkWritable(all);
-        return files;
+        return all;
     }
 
     private Set<FilmLayer> filmLayers(List<OutputFile> files) {
@@ -311,36 +325,5 @@ final class RenderCommand implements Callable<Integer> {
                 : seconds == null && targetError == null ? samplesOtherwise : Integer.MAX_VALUE;
         return new RenderBudget(
                 samples, seconds == null ? Double.POSITIVE_INFINITY : seconds, targetError == null ? 0 : targetError);
-    }
-
-    private FilmSettings film(SceneFile file) {
-        FilmSettings own = file.graph().film();
-        if (own == null || file.graph().camera() == null) {
-            throw new CommandException(ExitCode.INPUT, scene + ": the scene has no camera (<sensor>)");
-        }
-        return FilmOptions.apply(own, size, crop);
-    }
-
-    private RendererFactory factory(RenderSettingsRequest request) {
-        return Services.renderer(
-                renderer != null ? renderer : request.rendererId().orElse(RenderPlan.DEFAULT_RENDERER));
-    }
-
-    /** Defaults, then the scene's values for parameters that this renderer has, then those of the command line. */
-    private ParameterValues values(RendererFactory factory, RenderSettingsRequest request) {
-        Map<String, String> texts = new LinkedHashMap<>();
-        for (Parameter parameter : factory.parameters()) {
-            String asked = request.parameters().get(parameter.name());
-            if (asked != null && !parameters.containsKey(parameter.name())) {
-                try {
-                    parameter.parse(asked);
-                } catch (ParameterException e) {
-                    throw new CommandException(ExitCode.INPUT, scene + ": " + e.getMessage(), e);
-                }
-                texts.put(parameter.name(), asked);
-            }
-        }
-        texts.putAll(parameters);
-        return ParameterValues.parse(factory.parameters(), texts, factory.id());
     }
 }

@@ -10,6 +10,7 @@ import org.daybreak.cli.partial.PartialFilmFile;
 import org.daybreak.core.film.Film;
 import org.daybreak.core.film.FilmImage;
 import org.daybreak.core.render.CheckpointException;
+import org.daybreak.core.render.ImageSheet;
 import org.daybreak.core.render.RenderContext;
 import org.daybreak.core.render.RenderReport;
 import org.daybreak.core.render.RenderState;
@@ -80,6 +81,7 @@ final class RenderJob {
         Map<String, ExrAttribute> attributes = ImageAttributes.of(plan, report, seconds);
         List<OutputFile> written = new ArrayList<>();
         boolean failed = !write(image, attributes, checkpoints.last(), written);
+        failed |= !writeSheets(report, image, attributes, written);
         times.end();
         List<String> warnings = new ArrayList<>();
         for (SceneProblem warning : sceneWarnings) {
@@ -117,6 +119,24 @@ final class RenderJob {
                     PartialFilmFile.write(output.path(), state);
                 }
                 written.add(output);
+            } catch (ImageFileException e) {
+                session.error(String.valueOf(e.getMessage()));
+                all = false;
+            }
+        }
+        return all;
+    }
+
+    private boolean writeSheets(
+            RenderReport report, FilmImage image, Map<String, ExrAttribute> attributes, List<OutputFile> written) {
+        boolean all = true;
+        for (SheetFolder folder : plan.folders()) {
+            ImageSheet sheet = report.sheets().get(folder.parameter());
+            if (sheet == null) {
+                continue;
+            }
+            try {
+                folder.write(sheet, image, attributes, written);
             } catch (ImageFileException e) {
                 session.error(String.valueOf(e.getMessage()));
                 all = false;

@@ -26,6 +26,7 @@ import org.daybreak.core.render.RendererFactory;
  * @param seed seed of all random numbers
  * @param threads number of threads
  * @param outputs image files
+ * @param folders folders for images besides the film's
  * @param identity all that the bits of the image depend on, see {@link org.daybreak.cli.partial.RenderIdentity}
  * @param state what is saved, continued and divided
  */
@@ -41,6 +42,7 @@ record RenderPlan(
         long seed,
         int threads,
         List<OutputFile> outputs,
+        List<SheetFolder> folders,
         Map<String, String> identity,
         StateOptions.Choice state) {
     /** Renderer where neither command line nor scene names one. */
@@ -56,6 +58,7 @@ record RenderPlan(
     RenderPlan {
         layers = Set.copyOf(layers);
         outputs = List.copyOf(outputs);
+        folders = List.copyOf(folders);
     }
 
     /** The renderer's parameters by name. */

@@ -85,6 +85,10 @@ class CheckpointTest {
         assertDone(Cli.run("merge", film, "-o", again));
         assertArrayEquals(
                 ExrReader.read(whole).samples("R"), ExrReader.read(again).samples("R"));
+        Path resumed = folder.resolve("resumed.exr");
+        assertDone(render("--renderer", renderer, "--layers", "depth,variance", "--resume", film, "-o", resumed));
+        assertArrayEquals(
+                ExrReader.read(whole).samples("R"), ExrReader.read(resumed).samples("R"));
     }
 
     @Test

@@ -272,7 +272,7 @@ class SceneConversionTest {
                 obj.append("v ")
                         .append(i + k % 2)
                         .append(' ')
-                        .append(0.3 * i + k / 2)
+                        .append(k < 2 ? 0.3 * i : 0.3 * i + 1)
                         .append(' ')
                         .append(0.11 * (i * k % 3))
                         .append("\nvt ")
@@ -294,16 +294,43 @@ class SceneConversionTest {
 
     @Test
     void meshesAloneKeepTheirBits() throws IOException {
-        String facets =
-                "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0.5\nendloop\nendfacet\n"
-                        + "facet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0.5\nendloop\nendfacet\n";
-        assertSame(write("part.stl", "solid part\n" + facets + "endsolid part\n"));
-        assertSame(write(
-                "colors.ply",
-                "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                        + "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
-                        + "property list uchar int vertex_indices\nend_header\n"
-                        + "0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0.2 0 0 255\n0 1 0 120 130 140\n4 0 1 2 3\n"));
+        assertSame(write("part.stl", """
+                solid part
+                facet normal 0 0 1
+                outer loop
+                vertex 0 0 0
+                vertex 1 0 0
+                vertex 0 1 0.5
+                endloop
+                endfacet
+                facet normal 0 0 1
+                outer loop
+                vertex 1 0 0
+                vertex 1 1 0
+                vertex 0 1 0.5
+                endloop
+                endfacet
+                endsolid part
+                """));
+        assertSame(write("colors.ply", """
+                ply
+                format ascii 1.0
+                element vertex 4
+                property float x
+                property float y
+                property float z
+                property uchar red
+                property uchar green
+                property uchar blue
+                element face 1
+                property list uchar int vertex_indices
+                end_header
+                0 0 0 255 0 0
+                1 0 0 0 255 0
+                1 1 0.2 0 0 255
+                0 1 0 120 130 140
+                4 0 1 2 3
+                """));
     }
 
     /** Names of Mitsuba 0.6, definitions, includes, aliases, spectra, and shapes that become meshes. */
@@ -387,11 +414,21 @@ class SceneConversionTest {
     /** An error in the middle of writing leaves the older scene as it was, and nothing else. */
     @Test
     void errorsLeaveTheOlderSceneIntact() throws IOException {
-        Path model = write(
-                "part.ply",
-                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-                        + "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-                        + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+        Path model = write("part.ply", """
+                ply
+                format ascii 1.0
+                element vertex 3
+                property float x
+                property float y
+                property float z
+                element face 1
+                property list uchar int vertex_indices
+                end_header
+                0 0 0
+                1 0 0
+                0 1 0
+                3 0 1 2
+                """);
         Path target = Files.writeString(folder.resolve("out.xml"), "older");
         Files.writeString(folder.resolve("out_files"), "in the way");
         assertFails(4, "cannot be written", model, target);

@@ -93,7 +93,8 @@ class UsageTest {
         Cli.Result unknown = Cli.run("rendr");
         assertEquals(2, unknown.code());
         assertTrue(unknown.err().contains("there is no command 'rendr'; did you mean 'render'?"), unknown.err());
-        for (String command : new String[] {"render", "list", "info", "diff", "convert", "merge", "completion"}) {
+        for (String command :
+                new String[] {"render", "replay", "list", "info", "diff", "convert", "merge", "completion"}) {
             Cli.Result help = Cli.run(command, "--help");
             assertEquals(0, help.code());
             assertTrue(help.out().contains("Examples:"), help.out());

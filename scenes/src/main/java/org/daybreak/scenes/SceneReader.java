@@ -90,14 +90,13 @@ public final class SceneReader {
         }
     }
 
-    private static Optional<SceneDescription> describeModel(
-            Path file, Map<String, String> defines, ProblemList problems) {
+    private Optional<SceneDescription> describeModel(Path file, Map<String, String> defines, ProblemList problems) {
         for (String name : new TreeSet<>(defines.keySet())) {
             problems.error(
                     SourceLocation.of(file), "only XML has attributes that could use the definition '" + name + "'");
         }
         return GltfReader.isGltf(file)
                 ? GltfReader.read(file, problems)
-                : Optional.of(ModelReader.read(file, problems));
+                : Optional.of(ModelReader.read(file, images, problems));
     }
 }

@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntBinaryOperator;
 import javax.imageio.ImageIO;
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.geometry.SurfacePoint;
@@ -18,6 +19,7 @@ import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.core.material.Bsdf;
 import org.daybreak.core.material.Dielectric;
 import org.daybreak.core.material.Mask;
+import org.daybreak.core.material.TransportMode;
 import org.daybreak.core.material.TwoSided;
 import org.daybreak.core.scene.ShapeNode;
 import org.daybreak.scenes.description.SceneException;
@@ -119,14 +121,7 @@ class ObjMaterialsTest {
     /** The map is scaled and shifted in the coordinates of the file, whose v runs upwards. */
     @Test
     void mapsWithOptions() throws IOException, SceneException {
-        BufferedImage image = new BufferedImage(4, 4, BufferedImage.TYPE_INT_RGB);
-        for (int y = 0; y < 4; y++) {
-            for (int x = 0; x < 4; x++) {
-                image.setRGB(x, y, (60 * x) << 16 | (60 * y) << 8);
-            }
-        }
-        SceneTexts.write(folder, "lib/x", "");
-        ImageIO.write(image, "png", folder.resolve("lib/a map.png").toFile());
+        image("a map.png", (x, y) -> (60 * x) << 16 | (60 * y) << 8);
         SceneFile plain = load("usemtl m\nf 1/1 2/2 3/1\n", "newmtl m\nmap_Kd a map.png\n");
         SceneFile moved = load(
                 "usemtl m\nf 1/1 2/2 3/1\n", "newmtl m\nKd 0 0 0\nmap_Kd -s 2 3 1 -o 0.1 0.2 -clamp off a map.png\n");
@@ -140,6 +135,80 @@ class ObjMaterialsTest {
             assertEquals(expected[0], actual[0], 1e-6);
             assertEquals(expected[1], actual[1], 1e-6);
         }
+    }
+
+    /** Writes an image of 4×4 pixels, of which each is a function of column and row. */
+    private void image(String name, IntBinaryOperator rgb) throws IOException {
+        BufferedImage image = new BufferedImage(4, 4, BufferedImage.TYPE_INT_RGB);
+        for (int y = 0; y < 4; y++) {
+            for (int x = 0; x < 4; x++) {
+                image.setRGB(x, y, rgb.applyAsInt(x, y));
+            }
+        }
+        SceneTexts.write(folder, "lib/x", "");
+        ImageIO.write(image, "png", folder.resolve("lib").resolve(name).toFile());
+    }
+
+    /** The value towards a direction (x, y, z) seen from the normal, where u runs along x and v against y. */
+    private static double leaning(Bsdf bsdf, double x, double y) {
+        SurfacePoint p = new SurfacePoint();
+        p.u = 0.5;
+        p.v = 0.5;
+        p.nz = 1;
+        p.sx = 1;
+        p.ty = 1;
+        p.uAlongS = 1;
+        p.vAlongT = -1;
+        Spectrum s = new Spectrum();
+        bsdf.evaluate(p, 0, 0, 1, x, y, Math.sqrt(1 - x * x - y * y), TransportMode.RADIANCE, s);
+        return s.r;
+    }
+
+    /** Heights that rise to the right, by 51/255 in each of four columns, face left. */
+    @Test
+    void bumpMapsAreHeights() throws IOException, SceneException {
+        image("ramp.png", (x, y) -> 0x010101 * (51 * x));
+        String shading = "newmtl m\nKd 1 1 1\n";
+        for (String statement : List.of("bump -bm 0.5 ramp.png", "map_Bump ramp.png")) {
+            Bsdf bumpy = SceneTexts.onlyShape(load("usemtl m\nf 1/1 2/2 3/1\n", shading + statement + "\n"))
+                    .material();
+            double slope = 51 / 255.0 * 4 * (statement.contains("-bm") ? 0.5 : 1);
+            double cosine = (0.3 * -slope + Math.sqrt(1 - 0.09)) / Math.sqrt(1 + slope * slope);
+            double other = (0.3 * slope + Math.sqrt(1 - 0.09)) / Math.sqrt(1 + slope * slope);
+            assertEquals(cosine / other, leaning(bumpy, 0.3, 0) / leaning(bumpy, -0.3, 0), 1e-4);
+            assertEquals(1, leaning(bumpy, 0, 0.3) / leaning(bumpy, 0, -0.3), 1e-9);
+        }
+    }
+
+    /** Normals under {@code norm}, and under {@code map_bump} as Blender writes them: known by their unit length. */
+    @Test
+    void normalMapsAreNormals() throws IOException, SceneException {
+        // (0.6, 0, 0.8) and (0, 0.6, 0.8).
+        image("n.png", (x, y) -> 0xcc80e6);
+        image("up.png", (x, y) -> 0x80cce6);
+        for (String statement : List.of("norm n.png", "map_bump -bm 1 n.png", "bump n.png\nnorm n.png")) {
+            Bsdf bumpy = SceneTexts.onlyShape(load("usemtl m\nf 1/1 2/2 3/1\n", "newmtl m\n" + statement + "\n"))
+                    .material();
+            double cosine = 0.3 * 0.6 + Math.sqrt(1 - 0.09) * 0.8;
+            double other = -0.3 * 0.6 + Math.sqrt(1 - 0.09) * 0.8;
+            assertEquals(cosine / other, leaning(bumpy, 0.3, 0) / leaning(bumpy, -0.3, 0), 0.02);
+        }
+        Bsdf up = SceneTexts.onlyShape(load("usemtl m\nf 1/1 2/2 3/1\n", "newmtl m\nnorm up.png\n"))
+                .material();
+        // t points up where v runs down.
+        assertTrue(leaning(up, 0, 0.3) > 1.4 * leaning(up, 0, -0.3));
+    }
+
+    /** Whether a render goes on from a state depends on all files that the scene came from. */
+    @Test
+    void filesOfMaterialsBelongToTheScene() throws IOException, SceneException {
+        image("n.png", (x, y) -> 0xcc80e6);
+        SceneFile file = load("usemtl m\nf 1/1 2/2 3/1\n", "newmtl m\nnorm n.png\n");
+        assertEquals(
+                List.of("m.obj", "lib/m.mtl", "lib/n.png"),
+                file.files().stream()
+                        .map(f -> folder.relativize(f).toString().replace('\\', '/'))
+                        .toList());
     }
 
     @Test

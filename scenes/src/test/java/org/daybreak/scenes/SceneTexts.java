@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.daybreak.core.scene.Group;
 import org.daybreak.core.scene.Instance;
+import org.daybreak.core.scene.LightNode;
 import org.daybreak.core.scene.Node;
 import org.daybreak.core.scene.ShapeNode;
 import org.daybreak.scenes.description.SceneException;
@@ -78,6 +79,11 @@ final class SceneTexts {
             return shapes(instance.prototype()).stream();
         }
         return node instanceof Group group ? shapes(group).stream() : Stream.empty();
+    }
+
+    /** The light after that of every scene. */
+    static LightNode lightNode(SceneFile file) {
+        return (LightNode) file.graph().root().children().get(1);
     }
 
     static ShapeNode onlyShape(SceneFile file) {

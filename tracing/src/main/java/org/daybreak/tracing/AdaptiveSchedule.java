@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.daybreak.core.film.Film;
 import org.daybreak.core.film.FilmSettings;
+import org.daybreak.core.film.LuminanceStatistics;
 import org.daybreak.core.render.ParameterException;
 import org.daybreak.core.render.RenderState;
 import org.daybreak.core.render.SampleAllocation;
@@ -15,12 +16,16 @@ import org.jspecify.annotations.Nullable;
  * As many samples in a pixel as a {@link SampleAllocation} says. Each pass has a seed of its own, and its samples the weight
  * of the pass over the number of samples of their pixel: so a pass is an unbiased image, whatever the numbers.
  *
- * <p>A pass is cut into slices of about {@value #SLICE} samples per pixel, so that an image which ends early is even.
+ * <p>A pass is cut into slices of about {@value #SLICE} samples per pixel, so that an image which ends early is even. To the render
+ * the slices are the passes: it looks at the error after each.
  */
 final class AdaptiveSchedule implements SampleSchedule {
     private static final int SLICE = 16;
     private static final String POSITION = "pass";
     private static final String COUNTS = "counts";
+    private static final String WEIGHTS = "before.weights";
+    private static final String EFFECTIVE_SAMPLES = "before.effectiveSamples";
+    private static final String MEANS = "before.means";
 
     private final TileGrid grid;
     private final Film film;
@@ -34,6 +39,9 @@ final class AdaptiveSchedule implements SampleSchedule {
     private long before;
     private int @Nullable [] counts;
 
+    /** As they were when the pass began. */
+    private LuminanceStatistics statistics;
+
     AdaptiveSchedule(TileGrid grid, Film film, SampleAllocation allocation, long samplesPerPixel, long seed) {
         this.grid = grid;
         this.film = film;
@@ -41,6 +49,7 @@ final class AdaptiveSchedule implements SampleSchedule {
         this.seed = seed;
         area = film.sampleArea();
         passes = allocation.passes(samplesPerPixel);
+        statistics = film.luminanceStatistics();
     }
 
     private int slices(int ofPass) {
@@ -82,13 +91,14 @@ final class AdaptiveSchedule implements SampleSchedule {
         unit.seed = Mixing.absorb(seed, pass);
         unit.pass = pass;
         unit.counts = now;
+        unit.statistics = statistics;
         unit.slice = slice;
         unit.slices = slices(pass);
         unit.passWeight = passes[pass];
-        unit.samplesPerPixelThen = before + passes[pass];
+        unit.samplesPerPixelThen = before + first(passes[pass], slice + 1, unit.slices);
         unit.expected = expected(unit, now);
         nextTile++;
-        unit.endsPass = passEnds();
+        unit.endsPass = nextTile == grid.count();
     }
 
     private int[] uniform() {
@@ -97,8 +107,8 @@ final class AdaptiveSchedule implements SampleSchedule {
         return numbers;
     }
 
-    private static long first(int count, int slice, int slices) {
-        return (long) count * slice / slices;
+    private static long first(long count, int slice, int slices) {
+        return count * slice / slices;
     }
 
     /** First of the samples of a pixel in a slice. */
@@ -125,10 +135,9 @@ final class AdaptiveSchedule implements SampleSchedule {
     /** Pixels beyond the crop, which the filter reaches, are taken to be like the nearest one within. */
     private int[] allocate() {
         FilmSettings.Crop crop = film.settings().crop();
-        int inside = crop.width() * crop.height();
-        double[] cropMeans = new double[inside];
-        double[] cropDeviations = new double[inside];
-        film.sampleStatistics(cropMeans, cropDeviations);
+        LuminanceStatistics now = film.luminanceStatistics();
+        double[] cropDeviations = now.deviationsSince(statistics);
+        statistics = now;
         int n = area.width() * area.height();
         double[] means = new double[n];
         double[] deviations = new double[n];
@@ -137,11 +146,13 @@ final class AdaptiveSchedule implements SampleSchedule {
             int y = area.y() - crop.y() + p / area.width();
             int from = Math.max(0, Math.min(crop.height() - 1, y)) * crop.width()
                     + Math.max(0, Math.min(crop.width() - 1, x));
-            means[p] = cropMeans[from];
+            means[p] = now.means()[from];
             deviations[p] = cropDeviations[from];
         }
         int[] numbers = new int[n];
-        allocation.allocate(area.width(), area.height(), means, deviations, passes[pass], numbers);
+        SampleAllocation.Statistics all =
+                new SampleAllocation.Statistics(area.width(), area.height(), means, deviations);
+        allocation.allocate(all, passes[pass], numbers);
         return numbers;
     }
 
@@ -157,35 +168,64 @@ final class AdaptiveSchedule implements SampleSchedule {
         for (int i = 0; i < pass; i++) {
             before += passes[i];
         }
-        int n = area.width() * area.height();
-        long[] packed = state.position(COUNTS, (n + 1) / 2);
-        int[] numbers = new int[n];
-        for (int p = 0; p < n; p++) {
-            numbers[p] = (int) (packed[p / 2] >>> (p % 2 * Integer.SIZE));
-        }
-        counts = numbers;
+        counts = unpackInts(state.position(COUNTS, (areaPixels() + 1) / 2), areaPixels());
+        int n = film.settings().crop().width() * film.settings().crop().height();
+        statistics = new LuminanceStatistics(
+                unpackDoubles(state.position(WEIGHTS, n)),
+                unpackDoubles(state.position(EFFECTIVE_SAMPLES, n)),
+                unpackDoubles(state.position(MEANS, n)));
+    }
+
+    private int areaPixels() {
+        return area.width() * area.height();
     }
 
     @Override
     public Map<String, long[]> position(TileUnit unit) {
-        return position(unit.pass, unit.slice, unit.index, unit.counts);
+        return position(unit.pass, unit.slice, unit.index, unit.counts, unit.statistics);
     }
 
     @Override
     public Map<String, long[]> position() {
-        return position(pass, slice, nextTile, counts == null ? uniform() : counts);
+        return position(pass, slice, nextTile, counts == null ? uniform() : counts, statistics);
     }
 
-    private static Map<String, long[]> position(int pass, int slice, int tile, int @Nullable [] numbers) {
+    private static Map<String, long[]> position(
+            int pass, int slice, int tile, int @Nullable [] numbers, @Nullable LuminanceStatistics before) {
         Map<String, long[]> position = new LinkedHashMap<>();
         position.put(POSITION, new long[] {pass, slice, tile});
         if (numbers != null) {
-            long[] packed = new long[(numbers.length + 1) / 2];
-            for (int p = 0; p < numbers.length; p++) {
-                packed[p / 2] |= (numbers[p] & 0xFFFF_FFFFL) << (p % 2 * Integer.SIZE);
-            }
-            position.put(COUNTS, packed);
+            position.put(COUNTS, pack(numbers));
+        }
+        if (before != null) {
+            position.put(WEIGHTS, pack(before.weights()));
+            position.put(EFFECTIVE_SAMPLES, pack(before.effectiveSamples()));
+            position.put(MEANS, pack(before.means()));
         }
         return position;
+    }
+
+    private static long[] pack(int[] values) {
+        long[] packed = new long[(values.length + 1) / 2];
+        for (int p = 0; p < values.length; p++) {
+            packed[p / 2] |= (values[p] & 0xFFFF_FFFFL) << (p % 2 * Integer.SIZE);
+        }
+        return packed;
+    }
+
+    private static int[] unpackInts(long[] packed, int count) {
+        int[] values = new int[count];
+        for (int p = 0; p < count; p++) {
+            values[p] = (int) (packed[p / 2] >>> (p % 2 * Integer.SIZE));
+        }
+        return values;
+    }
+
+    private static long[] pack(double[] values) {
+        return Arrays.stream(values).mapToLong(Double::doubleToRawLongBits).toArray();
+    }
+
+    private static double[] unpackDoubles(long[] packed) {
+        return Arrays.stream(packed).mapToDouble(Double::longBitsToDouble).toArray();
     }
 }

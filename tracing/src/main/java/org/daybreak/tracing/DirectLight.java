@@ -15,7 +15,7 @@ import org.daybreak.core.scene.Scene;
 /**
  * Light that reaches a vertex straight from emitters, by both techniques: a light point sampled for the vertex (next-event
  * estimation), and emitters that a scattered ray meets. Both are weighted with the power heuristic, exponent 2 (Veach 1997,
- * §9.2.4), so the two methods here belong together. One object per worker.
+ * §9.2.3), so the two methods here belong together. One object per worker.
  */
 final class DirectLight {
     private final Scene scene;

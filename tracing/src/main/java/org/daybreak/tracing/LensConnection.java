@@ -6,7 +6,6 @@ import org.daybreak.core.camera.LensSample;
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.film.SplatBuffer;
 import org.daybreak.core.geometry.SurfacePoint;
-import org.daybreak.core.light.EmissionSample;
 import org.daybreak.core.light.Light;
 import org.daybreak.core.light.LightSample;
 import org.daybreak.core.material.Bsdf;
@@ -16,13 +15,14 @@ import org.daybreak.core.math.Bounds;
 import org.daybreak.core.scene.RayCaster;
 
 /**
- * Joins vertices of light subpaths to the lens (techniques with t = 1): finds where the edge meets the film, and splats the
- * contribution there. One object per worker.
+ * Joins vertices of light subpaths to the lens (techniques with t = 1): finds where the edge meets the film and what it
+ * carries. One object per worker; light tracing and bidirectional path tracing share it.
  *
- * <p>A splat is f·cos·importance·throughput·visibility; the sum of splats over a pixel, divided by the number of light
- * subpaths traced (not of splats), is the pixel's mean radiance.
+ * <p>A connection is <em>aimed</em> first, which leaves f·cos·importance/density in {@link #value}; whoever has weights or
+ * Russian roulette to apply does so, and {@link #splat} tests visibility last and only if there is something to see. The sum of
+ * splats over a pixel, divided by the number of light subpaths traced (not of splats), is the pixel's mean radiance.
  */
-final class LensConnection {
+public final class LensConnection {
     /** An emitter at infinity stands this many scene sizes away: its parallax is below what a film position resolves. */
     private static final double FAR = 1e9;
 
@@ -32,115 +32,112 @@ final class LensConnection {
     private final CameraRay cameraRay = new CameraRay();
     private final LightSample sky = new LightSample();
     private final Spectrum value = new Spectrum();
+    private final double pixels;
     private final double sceneSize;
+    private double filmDensity;
 
-    LensConnection(Camera camera, RayCaster caster) {
+    /** Creates what a worker needs to join vertices to the lens of a camera. */
+    public LensConnection(Camera camera, RayCaster caster) {
         this.camera = camera;
         this.caster = caster;
+        pixels = (double) camera.width() * camera.height();
         Bounds bounds = caster.scene().bounds();
         sceneSize = bounds.isEmpty() ? 0 : 2 * bounds.boundingSphereRadius();
     }
 
     /**
-     * Joins a scattering vertex to the lens (s ≥ 2).
+     * Aims from a scattering vertex (s ≥ 2).
      *
      * @param woX direction back along the light subpath
-     * @param r throughput of the subpath up to the vertex, divided by all densities
      * @param u first number for the point on the lens
-     * @return false if the contribution was not finite
+     * @return false if nothing arrives: the lens does not see the point, or nothing scatters towards it
      */
-    boolean joinSurface(
-            SurfacePoint p,
-            Bsdf bsdf,
-            double woX,
-            double woY,
-            double woZ,
-            double r,
-            double g,
-            double b,
-            double u,
-            double v,
-            SplatBuffer splats) {
+    public boolean aimFromSurface(SurfacePoint p, Bsdf bsdf, double woX, double woY, double woZ, double u, double v) {
         if (!camera.sampleLens(p.x, p.y, p.z, u, v, lens)) {
-            return true;
+            return false;
         }
         Scattering.evaluate(bsdf, p, woX, woY, woZ, lens.wiX, lens.wiY, lens.wiZ, TransportMode.IMPORTANCE, value);
-        return splat(r * lens.weight, g * lens.weight, b * lens.weight, p, splats);
+        return complete(p);
     }
 
     /**
-     * Joins the first vertex of a light subpath to the lens (s = 1): the emitter as it is seen directly. The density of the
-     * direction that the subpath goes on with plays no part, as the direction here is another one.
+     * Aims from the first vertex of a light subpath (s = 1): the emitter as it is seen directly. The density of the
+     * direction that the subpath goes on with plays no part, as the direction here is another one. The value is still to
+     * be divided by the density of the point per area and by the probability of the light.
      *
      * @param light a light that is neither at infinity nor a single point
-     * @param chosen probability with which the light was chosen
-     * @return false if the contribution was not finite
+     * @return false if nothing arrives
      */
-    boolean joinEmitter(Light light, EmissionSample y0, double chosen, double u, double v, SplatBuffer splats) {
-        SurfacePoint p = y0.point;
-        if (!camera.sampleLens(p.x, p.y, p.z, u, v, lens)) {
-            return true;
+    public boolean aimFromEmitter(Light light, SurfacePoint y0, double u, double v) {
+        if (!camera.sampleLens(y0.x, y0.y, y0.z, u, v, lens)) {
+            return false;
         }
-        light.radiance(p, lens.wiX, lens.wiY, lens.wiZ, value);
-        double cosine = Math.abs(p.geometricCosine(lens.wiX, lens.wiY, lens.wiZ));
-        double scale = cosine * lens.weight / (y0.densityPosition * chosen);
-        return splat(scale, scale, scale, p, splats);
+        light.radiance(y0, lens.wiX, lens.wiY, lens.wiZ, value);
+        value.scale(Math.abs(y0.geometricCosine(lens.wiX, lens.wiY, lens.wiZ)));
+        return complete(y0);
+    }
+
+    private boolean complete(SurfacePoint p) {
+        if (value.isBlack()) {
+            return false;
+        }
+        value.scale(lens.weight);
+        filmDensity = lens.weight * Math.abs(p.geometricCosine(lens.wiX, lens.wiY, lens.wiZ)) / pixels;
+        return true;
     }
 
     /**
-     * Joins a light at infinity to the lens (s = 1). It has no point that a subpath starts from and sees the lens by, so the
-     * light's direction is sampled from the lens point.
+     * Aims from a light at infinity (s = 1). It has no point that a subpath starts from and sees the lens by, so the
+     * light's direction is sampled from the lens point. The value is divided by the density of that direction, but not yet by
+     * the probability of the light.
      *
      * @param light a light at infinity that is not a single direction
-     * @param chosen probability with which the light was chosen
      * @param s first number for the direction, with {@code t}
-     * @return false if the contribution was not finite
+     * @return the density of the direction per solid angle; 1 for a camera of parallel rays, where the film position is drawn
+     *     instead, as {@link #filmDensity} is then; 0 if nothing arrives
      */
-    boolean joinInfinite(Light light, double chosen, double s, double t, double u, double v, SplatBuffer splats) {
+    public double aimFromInfinity(Light light, double s, double t, double u, double v) {
         if (camera.isParallel()) {
-            return joinInfiniteFromFilm(light, chosen, s, t, splats);
+            return aimFromFilm(light, s, t) ? 1 : 0;
         }
         // Any film position gives the lens point of u and v.
         if (!camera.sampleRay(0.5 * camera.width(), 0.5 * camera.height(), u, v, cameraRay)) {
-            return true;
+            return 0;
         }
         double ox = cameraRay.ox;
         double oy = cameraRay.oy;
         double oz = cameraRay.oz;
         if (!light.sampleIncident(ox, oy, oz, s, t, sky)) {
-            return true;
+            return 0;
         }
         double size = Math.max(sceneSize, Math.max(Math.abs(ox), Math.max(Math.abs(oy), Math.abs(oz))));
         double far = size > 0 ? FAR * size : FAR;
         if (!camera.sampleLens(ox + far * sky.wiX, oy + far * sky.wiY, oz + far * sky.wiZ, u, v, lens)) {
-            return true;
+            return 0;
         }
-        double scale = lens.weight * lens.distance * lens.distance / chosen;
-        double r = scale * sky.weight.r;
-        double g = scale * sky.weight.g;
-        double b = scale * sky.weight.b;
-        if (r == 0 && g == 0 && b == 0) {
-            return true;
-        }
-        double visible = caster.transmittanceToInfinity(lens.point, sky.wiX, sky.wiY, sky.wiZ);
-        return visible == 0 || splats.add(lens.filmX, lens.filmY, visible * r, visible * g, visible * b);
+        double perSolidAngle = lens.weight * lens.distance * lens.distance;
+        lens.distance = Double.POSITIVE_INFINITY;
+        lens.wiX = -sky.wiX;
+        lens.wiY = -sky.wiY;
+        lens.wiZ = -sky.wiZ;
+        filmDensity = perSolidAngle / pixels;
+        value.set(sky.weight);
+        value.scale(perSolidAngle);
+        return value.isBlack() ? 0 : sky.density;
     }
 
     /** The same for a camera of parallel rays: of all directions it sees one, so the film position is drawn instead. */
-    private boolean joinInfiniteFromFilm(Light light, double chosen, double s, double t, SplatBuffer splats) {
-        double filmX = s * camera.width();
-        double filmY = t * camera.height();
-        if (!camera.sampleRay(filmX, filmY, 0.5, 0.5, cameraRay)) {
-            return true;
+    private boolean aimFromFilm(Light light, double s, double t) {
+        lens.filmX = s * camera.width();
+        lens.filmY = t * camera.height();
+        if (!camera.sampleRay(lens.filmX, lens.filmY, 0.5, 0.5, cameraRay)) {
+            return false;
         }
         double dx = cameraRay.dx;
         double dy = cameraRay.dy;
         double dz = cameraRay.dz;
-        light.radiance(lens.point, -dx, -dy, -dz, value);
-        if (value.isBlack()) {
-            return true;
-        }
         SurfacePoint origin = lens.point;
+        light.radiance(origin, -dx, -dy, -dz, value);
         origin.x = cameraRay.ox;
         origin.y = cameraRay.oy;
         origin.z = cameraRay.oz;
@@ -151,20 +148,58 @@ final class LensConnection {
         origin.shape = -1;
         origin.primitive = -1;
         origin.instance = -1;
-        double scale = (double) camera.width() * camera.height() / chosen;
-        double visible = scale * caster.transmittanceToInfinity(origin, dx, dy, dz);
-        return visible == 0 || splats.add(filmX, filmY, visible * value.r, visible * value.g, visible * value.b);
+        lens.distance = Double.POSITIVE_INFINITY;
+        lens.wiX = -dx;
+        lens.wiY = -dy;
+        lens.wiZ = -dz;
+        value.scale(pixels);
+        filmDensity = 1;
+        return !value.isBlack();
     }
 
-    /** Multiplies the value in hand with factors, and with the visibility of the lens if there is anything to see. */
-    private boolean splat(double r, double g, double b, SurfacePoint p, SplatBuffer splats) {
+    /** The lens point, and where the edge meets the film. */
+    public LensSample lens() {
+        return lens;
+    }
+
+    /** What was aimed: f·|cos θ| (or radiance and cosine) times importance over the density of the lens point. */
+    public Spectrum value() {
+        return value;
+    }
+
+    /**
+     * Density with which a camera ray from the lens point, its film point drawn uniformly over the whole film, arrives at
+     * the vertex: per area; per solid angle for lights at infinity.
+     */
+    public double filmDensity() {
+        return filmDensity;
+    }
+
+    /**
+     * Splats what was aimed times factors, if the lens sees the vertex.
+     *
+     * @param p the vertex that was aimed from; for lights at infinity it plays no part
+     * @return false if the contribution was not finite
+     */
+    public boolean splat(SurfacePoint p, double r, double g, double b, SplatBuffer splats) {
         double cr = r * value.r;
         double cg = g * value.g;
         double cb = b * value.b;
         if (cr == 0 && cg == 0 && cb == 0) {
             return true;
         }
-        double visible = caster.transmittance(p, lens.point);
+        double visible = transmittance(p);
         return visible == 0 || splats.add(lens.filmX, lens.filmY, visible * cr, visible * cg, visible * cb);
+    }
+
+    /**
+     * Fraction of light that gets from the vertex to the lens: a test for occlusion.
+     *
+     * @param p the vertex that was aimed from; for lights at infinity it plays no part
+     */
+    public double transmittance(SurfacePoint p) {
+        return lens.distance == Double.POSITIVE_INFINITY
+                ? caster.transmittanceToInfinity(lens.point, -lens.wiX, -lens.wiY, -lens.wiZ)
+                : caster.transmittance(p, lens.point);
     }
 }

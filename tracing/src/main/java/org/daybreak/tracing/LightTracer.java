@@ -31,6 +31,7 @@ final class LightTracer {
     private final LightSelection selection;
     private final RayCaster caster;
     private final LensConnection lens;
+    private final EmissionGuide guide;
     private final SobolSampler sampler;
     private final int edgeLimit;
     private final int rrDepth;
@@ -44,6 +45,7 @@ final class LightTracer {
         selection = scene.lightSelection();
         caster = new RayCaster(scene);
         lens = new LensConnection(camera, caster);
+        guide = new EmissionGuide(scene);
         lensArea = camera.hasLensArea();
         sampler = new SobolSampler(seed, StreamDomain.LIGHT_PATH, GROUP);
         edgeLimit = settings.edgeLimit();
@@ -77,13 +79,18 @@ final class LightTracer {
         double lensV = lensArea ? sampler.next() : 0.5;
         boolean finite = true;
         if (light.isInfinite() && !light.isDelta()) {
-            finite = lens.joinInfinite(light, chosen, directionU, directionV, lensU, lensV, splats);
+            if (lens.aimFromInfinity(light, directionU, directionV, lensU, lensV) > 0) {
+                finite = lens.splat(emission.point, 1 / chosen, 1 / chosen, 1 / chosen, splats);
+            }
         }
-        if (!light.sampleEmission(positionU, positionV, directionU, directionV, emission)) {
+        if (!guide.sample(index, positionU, positionV, directionU, directionV, emission)) {
             return finite;
         }
         if (!light.isInfinite() && !light.isDelta()) {
-            finite = lens.joinEmitter(light, emission, chosen, lensU, lensV, splats);
+            if (lens.aimFromEmitter(light, emission.point, lensU, lensV)) {
+                double scale = 1 / (emission.densityPosition * chosen);
+                finite = lens.splat(emission.point, scale, scale, scale, splats);
+            }
         }
         if (edgeLimit >= 2) {
             finite &= walk(chosen, splats);
@@ -113,7 +120,9 @@ final class LightTracer {
                     lensU = sampler.next();
                     lensV = sampler.next();
                 }
-                finite &= lens.joinSurface(here, bsdf, -dx, -dy, -dz, r, g, b, lensU, lensV, splats);
+                if (lens.aimFromSurface(here, bsdf, -dx, -dy, -dz, lensU, lensV)) {
+                    finite &= lens.splat(here, r, g, b, splats);
+                }
             }
             // The next vertex would be joined by one more edge still.
             boolean last = edges > edgeLimit - 2;

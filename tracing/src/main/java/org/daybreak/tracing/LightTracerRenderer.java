@@ -114,7 +114,8 @@ public final class LightTracerRenderer implements Renderer {
             RenderState start = context.start();
             if (start != null) {
                 film.restore(start.film());
-                nextUnit = start.position(POSITION, 1)[0];
+                // Nothing follows a complete render, and one that was merged from parts has no position.
+                nextUnit = start.complete() ? endUnit : start.position(POSITION, 1)[0];
                 nonFinite.addAll(start.nonFiniteSamples(), start.nonFiniteAddresses());
                 traced.set(start.samples());
                 targetReached = start.complete();

@@ -1,13 +1,14 @@
 package org.daybreak.tracing;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.film.Film;
 import org.daybreak.core.film.FilmSettings;
-import org.daybreak.core.film.FilterSampler;
+import org.daybreak.core.film.FilmTile;
 import org.daybreak.core.render.Checkpoints;
 import org.daybreak.core.render.NonFiniteLog;
 import org.daybreak.core.render.OrderedWork;
@@ -21,7 +22,6 @@ import org.daybreak.core.render.Renderer;
 import org.daybreak.core.render.SampleAllocation;
 import org.daybreak.core.sampling.Sampler;
 import org.daybreak.core.scene.Scene;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Renders pixel by pixel: asks the antialiasing method for samples in each pixel and a {@link RayProcessor} for their
@@ -39,6 +39,7 @@ public final class PixelwiseRenderer implements Renderer {
 
     private final String id;
     private final RayProcessor.Factory processors;
+    private final FurtherImages furtherImages;
 
     /**
      * Creates a renderer.
@@ -47,8 +48,20 @@ public final class PixelwiseRenderer implements Renderer {
      * @param processors makes the algorithm's part, one per thread
      */
     public PixelwiseRenderer(String id, RayProcessor.Factory processors) {
+        this(id, processors, FurtherImages.NONE);
+    }
+
+    /**
+     * Creates a renderer that makes further images.
+     *
+     * @param id identifier for reports
+     * @param processors makes the algorithm's part, one per thread
+     * @param furtherImages what is made besides the film's image; with any, nothing can be resumed or cut into parts
+     */
+    public PixelwiseRenderer(String id, RayProcessor.Factory processors, FurtherImages furtherImages) {
         this.id = id;
         this.processors = processors;
+        this.furtherImages = furtherImages;
     }
 
     @Override
@@ -61,7 +74,7 @@ public final class PixelwiseRenderer implements Renderer {
 
     @Override
     public boolean isResumable() {
-        return true;
+        return furtherImages.count() == 0;
     }
 
     /** One render. */
@@ -69,6 +82,7 @@ public final class PixelwiseRenderer implements Renderer {
         private final Scene scene;
         private final Camera camera;
         private final Film film;
+        private final Film[] furtherFilms;
         private final RenderContext context;
         private final RenderClock clock;
         private final ProgressReporter progress;
@@ -96,6 +110,7 @@ public final class PixelwiseRenderer implements Renderer {
             this.camera = camera;
             this.film = film;
             this.context = context;
+            furtherFilms = furtherFilms();
             clock = new RenderClock(context);
             checkpoints = new Checkpoints(context, clock);
             grid = new TileGrid(film, context.part());
@@ -108,7 +123,10 @@ public final class PixelwiseRenderer implements Renderer {
             RenderState start = context.start();
             if (start != null) {
                 film.restore(start.film());
-                schedule.restore(start);
+                // Nothing follows a complete render, and one that was merged from parts has no position.
+                if (!start.complete()) {
+                    schedule.restore(start);
+                }
                 nonFinite.addAll(start.nonFiniteSamples(), start.nonFiniteAddresses());
                 samples.set(start.samples());
                 finishedSamplesPerPixel = start.samplesPerPixel();
@@ -118,6 +136,18 @@ public final class PixelwiseRenderer implements Renderer {
             resumedSeconds = start == null ? 0 : start.seconds();
             progress = new ProgressReporter(
                     context, clock, film, (double) samplesPerPixel * grid.pixels(), resumedSamples);
+        }
+
+        private Film[] furtherFilms() {
+            Film[] films = new Film[furtherImages.count()];
+            if (films.length > 0 && (context.start() != null || !context.part().isWhole())) {
+                throw new ParameterException("renderer '" + id
+                        + "' can make further images neither of a part nor from a state to go on from");
+            }
+            for (int i = 0; i < films.length; i++) {
+                films[i] = new Film(film.settings());
+            }
+            return films;
         }
 
         private SampleSchedule uniform() {
@@ -131,6 +161,9 @@ public final class PixelwiseRenderer implements Renderer {
                                 + "' cannot render parts: its numbers of samples depend on the whole image");
             }
             film.useSampleWeights();
+            for (Film further : furtherFilms) {
+                further.useSampleWeights();
+            }
             return new AdaptiveSchedule(grid, film, allocation, samplesPerPixel, context.seed());
         }
 
@@ -146,7 +179,11 @@ public final class PixelwiseRenderer implements Renderer {
 
         @Override
         protected TileUnit newSlot() {
-            return new TileUnit(film.newTile());
+            FilmTile[] tiles = new FilmTile[furtherFilms.length];
+            for (int i = 0; i < tiles.length; i++) {
+                tiles[i] = furtherFilms[i].newTile();
+            }
+            return new TileUnit(film.newTile(), tiles);
         }
 
         @Override
@@ -154,7 +191,8 @@ public final class PixelwiseRenderer implements Renderer {
             RayProcessor processor = processors.create(scene, camera, film.needsFeatures());
             created.add(processor);
             preparedAt = clock.seconds();
-            return new TileWorker(processor, samplesPerPixel, film, context, clock);
+            RaySample sample = new RaySample(furtherFilms.length);
+            return new TileWorker(processor, sample, samplesPerPixel, film, context, clock);
         }
 
         @Override
@@ -181,9 +219,8 @@ public final class PixelwiseRenderer implements Renderer {
             if (unit.splats.size() > 0) {
                 checkSplats();
             }
-            film.commit(unit.tile, unit.counted ? unit.tile.samples() : 0);
+            unit.commit(film, furtherFilms);
             if (unit.counted) {
-                film.commit(unit.splats, unit.samples);
                 nonFinite.addAll(unit.nonFinite);
                 samples.addAndGet(unit.samples);
             }
@@ -258,7 +295,9 @@ public final class PixelwiseRenderer implements Renderer {
                     nonFinite.count(),
                     nonFinite.addresses(),
                     Map.of("relativeError", progress.relativeError()),
-                    warnings);
+                    warnings,
+                    furtherImages.sheets(
+                            Arrays.stream(furtherFilms).map(Film::develop).toList()));
         }
     }
 
@@ -268,37 +307,41 @@ public final class PixelwiseRenderer implements Renderer {
         private final RenderContext context;
         private final long samplesPerPixel;
         private final RenderClock clock;
-        private final int filmWidth;
         private final FilmSettings.Crop area;
         private final boolean features;
-        private final RaySample sample = new RaySample();
-        private final @Nullable FilterSampler filterSampler;
-        /** Film position and factor of a sample. */
-        private final double[] position = new double[3];
+        private final RaySample sample;
+        private final boolean filterSampling;
+        private final PixelSampling position;
 
         private Sampler sampler;
         private long samplerSeed;
         private int untilCheck;
 
-        TileWorker(RayProcessor processor, long samplesPerPixel, Film film, RenderContext context, RenderClock clock) {
+        TileWorker(
+                RayProcessor processor,
+                RaySample sample,
+                long samplesPerPixel,
+                Film film,
+                RenderContext context,
+                RenderClock clock) {
             this.processor = processor;
+            this.sample = sample;
             this.samplesPerPixel = samplesPerPixel;
             this.context = context;
             this.clock = clock;
             samplerSeed = context.seed();
             sampler = context.antialiasing().newSampler(samplerSeed, samplesPerPixel);
-            filmWidth = film.settings().width();
+            position = new PixelSampling(film);
             area = film.sampleArea();
             features = film.needsFeatures();
-            filterSampler = film.settings().filterSampling() ? film.filterSampler() : null;
+            filterSampling = film.settings().filterSampling();
         }
 
         @Override
         public void compute(long number, TileUnit unit) {
-            unit.tile.begin(unit.x, unit.y, unit.width, unit.height);
-            unit.splats.clear();
-            unit.nonFinite.clear();
-            unit.samples = 0;
+            unit.begin();
+            sample.further.beginUnit(unit.furtherSplats);
+            processor.beginUnit();
             if (unit.seed != samplerSeed) {
                 samplerSeed = unit.seed;
                 sampler = context.antialiasing().newSampler(samplerSeed, samplesPerPixel);
@@ -313,7 +356,7 @@ public final class PixelwiseRenderer implements Renderer {
                         int count = counts[(y - area.y()) * area.width() + x - area.x()];
                         from = AdaptiveSchedule.first(unit, count);
                         end = AdaptiveSchedule.end(unit, count);
-                        unit.tile.setSampleWeight(unit.passWeight / count);
+                        unit.setSampleWeight(unit.passWeight / count);
                     }
                     if (!takeSamples(unit, x, y, from, end)) {
                         return;
@@ -337,24 +380,27 @@ public final class PixelwiseRenderer implements Renderer {
         }
 
         private void takeSample(TileUnit unit, int x, int y, long index) {
-            sampler.start((long) y * filmWidth + x, index);
-            double filmX = x + sampler.next();
-            double filmY = y + sampler.next();
-            FilterSampler filter = filterSampler;
-            if (filter != null) {
-                filter.sample(x, y, filmX - x, filmY - y, position);
-                filmX = position[0];
-                filmY = position[1];
+            position.start(sampler, x, y, index);
+            double filmX = position.filmX;
+            double filmY = position.filmY;
+            FilmTile[] further = unit.furtherTiles;
+            if (further.length > 0) {
+                sample.further.beginSample();
             }
             boolean finite = processor.trace(filmX, filmY, sampler, sample, unit.splats);
-            if (filter != null) {
-                finite &= unit.tile.addToPixel(x, y, position[2], sample.radiance, features ? sample.features : null);
-            } else {
-                finite &= features
-                        ? unit.tile.add(filmX, filmY, sample.radiance, sample.features)
-                        : unit.tile.add(filmX, filmY, sample.radiance);
+            boolean added = filterSampling
+                    ? unit.tile.addToPixel(x, y, position.factor, sample.radiance, features ? sample.features : null)
+                    : unit.tile.add(filmX, filmY, sample.radiance, features ? sample.features : null);
+            if (added) {
+                for (int i = 0; i < further.length; i++) {
+                    if (filterSampling) {
+                        further[i].addToPixel(x, y, position.factor, sample.further.value(i), null);
+                    } else {
+                        further[i].add(filmX, filmY, sample.further.value(i));
+                    }
+                }
             }
-            if (!finite) {
+            if (!finite || !added) {
                 unit.nonFinite.addSample(unit.seed, x, y, index);
             }
             unit.samples++;

@@ -12,6 +12,12 @@ import org.daybreak.core.scene.Scene;
  */
 public interface RayProcessor {
     /**
+     * A work unit begins: samples that are always computed one after the other by one processor, whatever the number of threads.
+     * What a processor learns from samples it may keep until the next call only.
+     */
+    default void beginUnit() {}
+
+    /**
      * Computes one sample.
      *
      * @param filmX film position in pixels

@@ -14,15 +14,25 @@ public final class RaySample {
     /** What the sample sees first; filled only if the processor was made to gather features. */
     public final FilmFeatures features = new FilmFeatures();
 
-    /** Creates an empty sample. */
-    public RaySample() {}
+    /** What the sample brings to further images; of no use if the render makes none. */
+    public final FurtherValues further;
+
+    /** Creates an empty sample of a render without further images. */
+    public RaySample() {
+        this(0);
+    }
+
+    /** Creates an empty sample of a render with a number of further images. */
+    RaySample(int furtherImages) {
+        further = new FurtherValues(furtherImages);
+    }
 
     /**
      * Fills the features with a surface that a camera ray meets.
      *
      * @param ray the camera ray; the point lies on it, possibly behind surfaces that it went straight through
      */
-    void setFeatures(Bsdf bsdf, SurfacePoint p, CameraRay ray) {
+    public void setFeatures(Bsdf bsdf, SurfacePoint p, CameraRay ray) {
         features.hit = true;
         bsdf.albedo(p, features.albedo);
         features.nx = p.nx;

@@ -1,6 +1,8 @@
 package org.daybreak.tracing;
 
+import org.daybreak.core.film.Film;
 import org.daybreak.core.film.FilmTile;
+import org.daybreak.core.film.LuminanceStatistics;
 import org.daybreak.core.film.SplatBuffer;
 import org.daybreak.core.render.NonFiniteLog;
 import org.jspecify.annotations.Nullable;
@@ -10,6 +12,11 @@ final class TileUnit {
     final FilmTile tile;
     final SplatBuffer splats = new SplatBuffer();
     final NonFiniteLog nonFinite = new NonFiniteLog();
+
+    /** Tiles and splats of {@link FurtherImages}. */
+    final FilmTile[] furtherTiles;
+
+    final SplatBuffer[] furtherSplats;
 
     /** Position in the list of tiles. */
     int index;
@@ -36,6 +43,10 @@ final class TileUnit {
     /** Samples of each pixel of the sample area in this pass, null if all have the same number. */
     int @Nullable [] counts;
 
+    /** What the film held when the pass began; with {@link #counts}. */
+    @Nullable
+    LuminanceStatistics statistics;
+
     /** Which of how many slices of the pass this is; for {@link #counts}. */
     int slice;
 
@@ -54,7 +65,47 @@ final class TileUnit {
 
     long samples;
 
-    TileUnit(FilmTile tile) {
+    TileUnit(FilmTile tile, FilmTile[] furtherTiles) {
         this.tile = tile;
+        this.furtherTiles = furtherTiles;
+        furtherSplats = new SplatBuffer[furtherTiles.length];
+        for (int i = 0; i < furtherSplats.length; i++) {
+            furtherSplats[i] = new SplatBuffer();
+        }
+    }
+
+    /** Empties the unit: its samples will be taken. */
+    void begin() {
+        tile.begin(x, y, width, height);
+        splats.clear();
+        nonFinite.clear();
+        samples = 0;
+        for (int i = 0; i < furtherTiles.length; i++) {
+            furtherTiles[i].begin(x, y, width, height);
+            furtherSplats[i].clear();
+        }
+    }
+
+    /** Sets the weight of the samples that follow. */
+    void setSampleWeight(double weight) {
+        tile.setSampleWeight(weight);
+        for (FilmTile further : furtherTiles) {
+            further.setSampleWeight(weight);
+        }
+    }
+
+    /** Adds the unit's samples to a film and those of further images. */
+    void commit(Film film, Film[] further) {
+        long countedSamples = counted ? tile.samples() : 0;
+        film.commit(tile, countedSamples);
+        for (int i = 0; i < further.length; i++) {
+            further[i].commit(furtherTiles[i], countedSamples);
+        }
+        if (counted) {
+            film.commit(splats, samples);
+            for (int i = 0; i < further.length; i++) {
+                further[i].commit(furtherSplats[i], samples);
+            }
+        }
     }
 }

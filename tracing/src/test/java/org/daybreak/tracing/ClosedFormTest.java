@@ -4,7 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Map;
 import org.daybreak.core.film.FilmImage;
+import org.daybreak.core.geometry.SurfacePoint;
+import org.daybreak.core.material.BitmapTexture;
+import org.daybreak.core.material.Bsdf;
+import org.daybreak.core.material.ConstantTexture;
+import org.daybreak.core.material.Diffuse;
+import org.daybreak.core.material.Mask;
+import org.daybreak.core.material.Texture;
+import org.daybreak.core.material.TextureImage;
 import org.daybreak.core.render.Renderer;
+import org.daybreak.core.scene.RayCaster;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.testing.Moments;
 import org.daybreak.core.testing.ZTest;
@@ -85,11 +94,8 @@ final class ClosedFormTest {
         assertBlocks(Rendering.renderer(id, Map.of()), TestScenes.sky(16, 12), 32, 4, constant(2, 12));
     }
 
-    /** Radiance ρ/π·I·cos θ/d² = ρ/π·I·h/(h² + r²)^{3/2}. */
-    @ParameterizedTest
-    @ValueSource(strings = {"path", "raytracer", "light"})
-    void pointOverPlane(String id) {
-        int size = 16;
+    /** Block means of the radiance ρ/π·I·cos θ/d² = ρ/π·I·h/(h² + r²)^{3/2} under the light of the scene of that name. */
+    private static double[] radianceUnderPoint(int size, double factor) {
         int n = 64;
         double half = 6 * Math.tan(Math.toRadians(30));
         int blocks = size / 4;
@@ -99,9 +105,49 @@ final class ClosedFormTest {
                 double x = half * (2 * (i + 0.5) / (size * n) - 1);
                 double z = half * (2 * (j + 0.5) / (size * n) - 1);
                 double d = Math.sqrt(4 + x * x + z * z);
-                expected[j / (4 * n) * blocks + i / (4 * n)] += 0.5 / Math.PI * 10 * 2 / (d * d * d) / (16.0 * n * n);
+                expected[j / (4 * n) * blocks + i / (4 * n)] +=
+                        factor * 0.5 / Math.PI * 10 * 2 / (d * d * d) / (16.0 * n * n);
             }
         }
-        assertBlocks(Rendering.renderer(id, Map.of()), TestScenes.pointOverPlane(size), 32, 4, expected);
+        return expected;
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"path", "raytracer", "light"})
+    void pointOverPlane(String id) {
+        assertBlocks(Rendering.renderer(id, Map.of()), TestScenes.pointOverPlane(16), 32, 4, radianceUnderPoint(16, 1));
+    }
+
+    /**
+     * Two half transparent sheets, which scatter nothing, let a quarter of the light through on its way to the plane and a
+     * quarter on its way to the eye, whether the opacity is constant or a texture. They are no vertices of paths: two edges
+     * are enough.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"path", "raytracer", "light"})
+    void halfTransparentSheets(String id) {
+        Bsdf black = new Diffuse(ConstantTexture.grey(0));
+        TextureImage half = TextureImage.fromFloats(2, 1, 1, new float[] {0.5f, 0.5f});
+        Texture image = new BitmapTexture(
+                half, BitmapTexture.Filter.BILINEAR, BitmapTexture.Wrap.REPEAT, new double[] {1, 0, 0, 0, 1, 0});
+        Scene scene = TestScenes.pointOverPlane(16, new Mask(ConstantTexture.grey(0.5), black), new Mask(image, black));
+        assertBlocks(Rendering.renderer(id, Map.of("maxDepth", "2")), scene, 256, 4, radianceUnderPoint(16, 1.0 / 16));
+    }
+
+    /** Occlusion queries multiply the transparencies of what is in between; no random number decides. */
+    @Test
+    void shadowRaysAreAttenuated() {
+        Bsdf black = new Diffuse(ConstantTexture.grey(0));
+        Mask veil = new Mask(ConstantTexture.grey(0.5), black);
+        RayCaster caster = new RayCaster(TestScenes.pointOverPlane(16, veil, veil, black));
+        SurfacePoint floor = new SurfacePoint();
+        SurfacePoint above = new SurfacePoint();
+        floor.x = 0.3;
+        floor.y = 0.01;
+        for (double[] heightAndFraction : new double[][] {{0.4, 1}, {0.7, 0.5}, {1.2, 0.25}, {1.7, 0}}) {
+            above.y = heightAndFraction[0];
+            assertEquals(heightAndFraction[1], caster.transmittance(floor, above));
+            assertEquals(heightAndFraction[1], caster.transmittance(above, floor));
+        }
     }
 }

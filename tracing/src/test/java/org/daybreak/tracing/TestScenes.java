@@ -38,6 +38,14 @@ final class TestScenes {
         return compile(graph);
     }
 
+    /** The room of {@link #diffuseRoom} in the middle of a black image, of which it covers a quarter. */
+    static Scene distantRoom(int width, int height) {
+        SceneGraph graph = room(width, height, ReconstructionFilter.BOX);
+        graph.root().add(new ShapeNode(new Sphere(new Point3d(-0.78, 0.56, -0.5), 0.56), diffuse(0.5)));
+        look(graph, new Point3d(0, 1, 6), new Point3d(0, 0.985, 0), new Vector3d(0, 1, 0), 73, width, height);
+        return compile(graph);
+    }
+
     /** The room of {@link #cornell} with two diffuse spheres: all of it can be rendered by light tracing. */
     static Scene diffuseRoom(int width, int height, ReconstructionFilter filter) {
         SceneGraph graph = room(width, height, filter);
@@ -98,9 +106,16 @@ final class TestScenes {
         return compile(graph);
     }
 
-    /** A point light of intensity 10 two units above a diffuse plane y = 0 of reflectance 0.5, seen from above. */
-    static Scene pointOverPlane(int size) {
+    /**
+     * A point light of intensity 10 two units above a diffuse plane y = 0 of reflectance 0.5, seen from above.
+     *
+     * @param sheets materials of large sheets between light and plane
+     */
+    static Scene pointOverPlane(int size, Bsdf... sheets) {
         SceneGraph graph = new SceneGraph();
+        for (int i = 0; i < sheets.length; i++) {
+            graph.root().add(rectangle(sheets[i], null, 30, 0, 0, 0, 0, 0, 1, 0.5 * (i + 1), 0, -30, 0, 0));
+        }
         graph.root().add(rectangle(diffuse(0.5), null, 30, 0, 0, 0, 0, 0, 1, 0, 0, -30, 0, 0));
         LightNode light = graph.root().add(new LightNode(new LightSource.Point(new Color3f(10, 10, 10))));
         Matrix4d up = new Matrix4d();

@@ -94,7 +94,12 @@ final class ScalarIntersector implements Intersector {
                             Math.min(Float.floatToRawIntBits(d[at + farZ + lane] * iz + fz), best));
                     if (near <= far + PreparedRay.ULPS) {
                         long entry = (long) near << 32 | (Float.floatToRawIntBits(d[at + 6 * W + lane]) & REFERENCE);
-                        sp = WideBvh.insert(stack, bottom, sp, entry);
+                        if (any) {
+                            // Whichever hit comes first will do, and sorting costs a quarter of such queries.
+                            stack[sp++] = entry;
+                        } else {
+                            sp = WideBvh.insert(stack, bottom, sp, entry);
+                        }
                     }
                 }
                 if (sp > bottom) {

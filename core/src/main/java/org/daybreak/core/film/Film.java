@@ -231,22 +231,21 @@ public final class Film {
         return variance == 0 ? 0 : Math.sqrt(variance) / Math.abs(mean);
     }
 
-    /**
-     * Estimates, for each pixel of the crop, the mean luminance of its samples and the standard deviation of a single sample,
-     * NaN where a pixel has fewer than two. Splats have no part in it.
-     *
-     * @param means receives the means, row by row
-     * @param deviations receives the standard deviations
-     */
-    public synchronized void sampleStatistics(double[] means, double[] deviations) {
+    /** What the samples so far say of the luminance of the pixels. */
+    public synchronized LuminanceStatistics luminanceStatistics() {
         int n = settings.crop().width() * settings.crop().height();
+        double[] weights = new double[n];
+        double[] effectiveSamples = new double[n];
+        double[] means = new double[n];
         for (int p = 0; p < n; p++) {
             int at = p * layout.stride;
             double weight = sums[at];
-            double mean = sampleMean(at, luminanceSum(at, FilmLayout.COLOR));
-            means[p] = mean;
-            deviations[p] = Math.sqrt(luminanceVariance(at, mean) * weight * weight / sums[at + layout.squaredWeight]);
+            double squaredWeights = sums[at + layout.squaredWeight];
+            weights[p] = weight;
+            effectiveSamples[p] = squaredWeights > 0 ? weight * weight / squaredWeights : 0;
+            means[p] = sampleMean(at, luminanceSum(at, FilmLayout.COLOR));
         }
+        return new LuminanceStatistics(weights, effectiveSamples, means);
     }
 
     /**

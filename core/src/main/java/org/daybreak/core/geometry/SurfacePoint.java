@@ -23,8 +23,9 @@ public final class SurfacePoint {
 
     /**
      * Shading frame: tangent {@code s}, bitangent {@code t}, shading normal {@code n_s}; right-handed, orthonormal. For
-     * materials that need tangents ({@code Bsdf.needsTangents}) s lies along the derivative of the position by u, made
-     * orthogonal to the shading normal; for others, and where there are no usable texture coordinates, it is arbitrary.
+     * materials that need tangents ({@code Bsdf.tangentFrame}) s lies along the derivative of the position by u, or along
+     * the tangents of the vertices where a mesh has some, made orthogonal to the shading normal; for others, and where there
+     * are no usable texture coordinates, it is arbitrary.
      */
     public double sx;
 
@@ -44,11 +45,13 @@ public final class SurfacePoint {
 
     /**
      * Derivatives of the position by the texture coordinates in the shading frame, in world units per unit of u or v:
-     * ∂p/∂u = {@code uLength}·s, ∂p/∂v = {@code vAlongS}·s + {@code vAlongT}·t, their parts along the shading normal left
-     * out. All zero where there are no usable texture coordinates; set only for materials that need tangents.
+     * ∂p/∂u = {@code uAlongS}·s + {@code uAlongT}·t, ∂p/∂v = {@code vAlongS}·s + {@code vAlongT}·t, their parts along the
+     * shading normal left out; {@code uAlongT} is 0 except on meshes with tangents of their own. All zero where there are no
+     * usable texture coordinates; set only for materials that need tangents, by the texture coordinates that they name.
      */
-    public double uLength;
+    public double uAlongS;
 
+    public double uAlongT;
     public double vAlongS;
     public double vAlongT;
 
@@ -100,7 +103,8 @@ public final class SurfacePoint {
         nz = o.nz;
         u = o.u;
         v = o.v;
-        uLength = o.uLength;
+        uAlongS = o.uAlongS;
+        uAlongT = o.uAlongT;
         vAlongS = o.vAlongS;
         vAlongT = o.vAlongT;
         u2 = o.u2;
@@ -145,7 +149,8 @@ public final class SurfacePoint {
         double rz = nx * qy - ny * qx;
         double across = vx * rx + vy * ry + vz * rz;
         if (!(Math.abs(across) * length > 0) || !(Math.abs(across) * length < Double.POSITIVE_INFINITY)) {
-            uLength = 0;
+            uAlongS = 0;
+            uAlongT = 0;
             vAlongS = 0;
             vAlongT = 0;
             return;
@@ -156,9 +161,50 @@ public final class SurfacePoint {
         tx = rx;
         ty = ry;
         tz = rz;
-        uLength = length;
+        uAlongS = length;
+        uAlongT = 0;
         vAlongS = vx * qx + vy * qy + vz * qz;
         vAlongT = across;
+    }
+
+    /**
+     * Turns the shading frame about the shading normal so that s lies along a direction, derivatives with it. Does nothing
+     * if the direction is that of the normal.
+     *
+     * @param dx direction in world space, of any length
+     */
+    public void turnFrame(double dx, double dy, double dz) {
+        double alongS = localX(dx, dy, dz);
+        double alongT = localY(dx, dy, dz);
+        double length = Math.sqrt(alongS * alongS + alongT * alongT);
+        double c = alongS / length;
+        double d = alongT / length;
+        if (!(Math.abs(c) + Math.abs(d) > 0)) {
+            return;
+        }
+        double qx = c * sx + d * tx;
+        double qy = c * sy + d * ty;
+        double qz = c * sz + d * tz;
+        tx = c * tx - d * sx;
+        ty = c * ty - d * sy;
+        tz = c * tz - d * sz;
+        sx = qx;
+        sy = qy;
+        sz = qz;
+        double us = uAlongS;
+        uAlongS = c * us + d * uAlongT;
+        uAlongT = c * uAlongT - d * us;
+        double vs = vAlongS;
+        vAlongS = c * vs + d * vAlongT;
+        vAlongT = c * vAlongT - d * vs;
+    }
+
+    /**
+     * Area on the surface per unit area of texture coordinates; negative where the image lies mirrored on the outer side, 0
+     * where there are no usable texture coordinates.
+     */
+    public double uvArea() {
+        return uAlongS * vAlongT - uAlongT * vAlongS;
     }
 
     /** First shading-frame component of a world-space direction: {@code d·s}. */

@@ -3,9 +3,9 @@ package org.daybreak.core.geometry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An indexed triangle mesh. Positions, normals, texture coordinates and colours are shared per vertex; a triangle's front is the side
- * from which its vertices run counter-clockwise. Immutable: the arrays are taken over, not copied, and must not be
- * changed afterwards.
+ * An indexed triangle mesh. Positions, normals, tangents, texture coordinates and colours are shared per vertex; a
+ * triangle's front is the side from which its vertices run counter-clockwise. Immutable: the arrays are taken over, not
+ * copied, and must not be changed afterwards.
  */
 public final class TriangleMesh implements Shape {
     private final float[] positions;
@@ -14,9 +14,10 @@ public final class TriangleMesh implements Shape {
     private final float @Nullable [] uvs;
     private final float @Nullable [] secondUvs;
     private final float @Nullable [] colors;
+    private final float @Nullable [] tangents;
 
     /**
-     * Creates a mesh without second texture coordinates and colours.
+     * Creates a mesh without tangents, second texture coordinates and colours.
      *
      * @param positions x, y, z per vertex; finite
      * @param triangles three vertex indices per triangle
@@ -25,11 +26,11 @@ public final class TriangleMesh implements Shape {
      * @throws IllegalArgumentException naming the first bad index or number
      */
     public TriangleMesh(float[] positions, int[] triangles, float @Nullable [] normals, float @Nullable [] uvs) {
-        this(positions, triangles, normals, uvs, null, null);
+        this(positions, triangles, normals, uvs, null, null, null);
     }
 
     /**
-     * Creates a mesh.
+     * Creates a mesh without tangents.
      *
      * @param positions x, y, z per vertex; finite
      * @param triangles three vertex indices per triangle
@@ -46,6 +47,17 @@ public final class TriangleMesh implements Shape {
             float @Nullable [] uvs,
             float @Nullable [] secondUvs,
             float @Nullable [] colors) {
+        this(positions, triangles, normals, uvs, secondUvs, colors, null);
+    }
+
+    private TriangleMesh(
+            float[] positions,
+            int[] triangles,
+            float @Nullable [] normals,
+            float @Nullable [] uvs,
+            float @Nullable [] secondUvs,
+            float @Nullable [] colors,
+            float @Nullable [] tangents) {
         if (positions.length % 3 != 0 || triangles.length % 3 != 0) {
             throw new IllegalArgumentException("positions and triangles must come in threes but there are "
                     + positions.length + " and " + triangles.length);
@@ -55,6 +67,7 @@ public final class TriangleMesh implements Shape {
         checkLength("texture coordinates", uvs, 2L * vertices);
         checkLength("second texture coordinates", secondUvs, 2L * vertices);
         checkLength("colors", colors, 3L * vertices);
+        checkLength("tangents", tangents, 3L * vertices);
         checkFinite("position", positions, 3);
         if (normals != null) {
             checkFinite("normal", normals, 3);
@@ -68,6 +81,9 @@ public final class TriangleMesh implements Shape {
         if (colors != null) {
             checkColors(colors);
         }
+        if (tangents != null) {
+            checkFinite("tangent", tangents, 3);
+        }
         for (int i = 0; i < triangles.length; i++) {
             if (triangles[i] < 0 || triangles[i] >= vertices) {
                 throw new IllegalArgumentException("triangle " + i / 3 + " refers to vertex " + triangles[i]
@@ -80,6 +96,7 @@ public final class TriangleMesh implements Shape {
         this.uvs = uvs;
         this.secondUvs = secondUvs;
         this.colors = colors;
+        this.tangents = tangents;
     }
 
     /**
@@ -90,7 +107,39 @@ public final class TriangleMesh implements Shape {
      * @throws IllegalArgumentException naming the first bad number
      */
     public TriangleMesh withAttributes(float @Nullable [] newSecondUvs, float @Nullable [] newColors) {
-        return new TriangleMesh(positions, triangles, normals, uvs, newSecondUvs, newColors);
+        return new TriangleMesh(positions, triangles, normals, uvs, newSecondUvs, newColors, tangents);
+    }
+
+    /**
+     * This mesh with other normals or none; everything else is shared.
+     *
+     * @param newNormals as for the constructor
+     * @throws IllegalArgumentException naming the first bad number
+     */
+    public TriangleMesh withNormals(float @Nullable [] newNormals) {
+        return new TriangleMesh(positions, triangles, newNormals, uvs, secondUvs, colors, tangents);
+    }
+
+    /**
+     * This mesh with tangents: directions that the shading frames of materials with normal maps, bump maps or anisotropic
+     * roughness lie along, instead of those along which texture coordinates change in each triangle. Maps that were baked for
+     * a mesh with tangents need them. Everything else is shared.
+     *
+     * @param newTangents x, y, z per vertex, need not be unit or orthogonal to the normals, or null
+     * @throws IllegalArgumentException naming the first bad number
+     */
+    public TriangleMesh withTangents(float @Nullable [] newTangents) {
+        return new TriangleMesh(positions, triangles, normals, uvs, secondUvs, colors, newTangents);
+    }
+
+    /**
+     * This mesh with other triangles over the same vertices.
+     *
+     * @param newTriangles as for the constructor
+     * @throws IllegalArgumentException naming the first bad index
+     */
+    public TriangleMesh withTriangles(int[] newTriangles) {
+        return new TriangleMesh(positions, newTriangles, normals, uvs, secondUvs, colors, tangents);
     }
 
     /** Number of triangles. */
@@ -128,6 +177,11 @@ public final class TriangleMesh implements Shape {
         return secondUvs;
     }
 
+    /** The tangents or null; not a copy, do not change. */
+    public float @Nullable [] tangents() {
+        return tangents;
+    }
+
     /** The vertex colours or null; not a copy, do not change. */
     public float @Nullable [] colors() {
         return colors;
@@ -152,7 +206,7 @@ public final class TriangleMesh implements Shape {
                 turned[i + 2] = triangles[i + 1];
             }
         }
-        return turned == null ? this : new TriangleMesh(positions, turned, n, uvs, secondUvs, colors);
+        return turned == null ? this : withTriangles(turned);
     }
 
     private boolean windsAgainst(float[] n, int a, int b, int c) {

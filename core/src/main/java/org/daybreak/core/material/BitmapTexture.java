@@ -145,6 +145,11 @@ public final class BitmapTexture implements Texture {
     }
 
     @Override
+    public boolean usesSecondUvs() {
+        return secondUvs;
+    }
+
+    @Override
     public double derivativeU(SurfacePoint point) {
         return sample(point, SCALAR, true, uvTransform[0], uvTransform[3]);
     }

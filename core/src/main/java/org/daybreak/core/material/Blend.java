@@ -10,17 +10,20 @@ public final class Blend implements Bsdf {
     private final UnitScalar weight;
     private final Bsdf first;
     private final Bsdf second;
+    private final TangentFrame tangentFrame;
 
     /**
      * Creates a blend.
      *
      * @param weight share of the second material, in [0,1]; of colours the luminance counts
-     * @throws IllegalArgumentException if the weight exceeds 1
+     * @throws IllegalArgumentException if the weight exceeds 1, or if the materials need frames along different texture
+     *     coordinates
      */
     public Blend(Texture weight, Bsdf first, Bsdf second) {
         this.weight = new UnitScalar("weight", weight);
         this.first = first;
         this.second = second;
+        this.tangentFrame = first.tangentFrame().and(second.tangentFrame());
     }
 
     @Override
@@ -29,8 +32,8 @@ public final class Blend implements Bsdf {
     }
 
     @Override
-    public boolean needsTangents() {
-        return first.needsTangents() || second.needsTangents();
+    public TangentFrame tangentFrame() {
+        return tangentFrame;
     }
 
     @Override
@@ -114,15 +117,8 @@ public final class Blend implements Bsdf {
             out.density *= chosen ? t : 1 - t;
             return true;
         }
-        double eta = out.eta;
         double density = evaluate(point, woX, woY, woZ, out.wiX, out.wiY, out.wiZ, mode, out.weight);
-        if (density == 0) {
-            return false;
-        }
-        out.setContinuous(density);
-        out.eta = eta;
-        out.weight.set(out.weight.r / density, out.weight.g / density, out.weight.b / density);
-        return true;
+        return out.complete(density, out.eta);
     }
 
     @Override

@@ -19,9 +19,11 @@ import org.daybreak.core.geometry.SurfacePoint;
 public interface Bsdf {
     /**
      * True if some lobe has a density per solid angle, so that vertices of this material can be connected to lights,
-     * the lens or other subpaths.
+     * the lens or other subpaths. Assumed unless a material knows better.
      */
-    boolean connectable();
+    default boolean connectable() {
+        return true;
+    }
 
     /**
      * True if some lobe, other than passing straight through a mask, scatters light to the other side of the surface.
@@ -106,12 +108,11 @@ public interface Bsdf {
     }
 
     /**
-     * True if the material tells directions around the normal apart, so that the shading frame must lie along the texture
-     * coordinates ({@link SurfacePoint#sx}) and the derivatives {@link SurfacePoint#uLength} and following must be there.
-     * Otherwise they are arbitrary.
+     * Whether the material tells directions around the normal apart, so that the shading frame must lie along texture
+     * coordinates ({@link SurfacePoint#sx}) and the derivatives {@link SurfacePoint#uAlongS} and following must be there.
      */
-    default boolean needsTangents() {
-        return false;
+    default TangentFrame tangentFrame() {
+        return TangentFrame.ARBITRARY;
     }
 
     /**

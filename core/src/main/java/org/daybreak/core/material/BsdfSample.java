@@ -1,6 +1,7 @@
 package org.daybreak.core.material;
 
 import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.sampling.Warps;
 
 /** A sampled scattering direction. Mutable, owned by one worker; filled by {@link Bsdf#sample}. */
 public final class BsdfSample {
@@ -37,6 +38,46 @@ public final class BsdfSample {
 
     /** Destination of the warps of the square; what implementations leave here means nothing to the caller. */
     final double[] direction = new double[3];
+
+    /** Draws a direction with the density cos θ/π about +z. */
+    void setCosineDistributed(double u, double v) {
+        Warps.toCosineHemisphere(u, v, direction);
+        wiX = direction[0];
+        wiY = direction[1];
+        wiZ = direction[2];
+    }
+
+    /** Sets the direction of ideal reflection. */
+    void setMirrored(double woX, double woY, double woZ) {
+        wiX = -woX;
+        wiY = -woY;
+        wiZ = woZ;
+    }
+
+    /** Sets the direction that goes straight on. */
+    void setStraight(double woX, double woY, double woZ) {
+        wiX = -woX;
+        wiY = -woY;
+        wiZ = -woZ;
+    }
+
+    /**
+     * Completes a sample from a lobe with a density per solid angle, whose direction is set.
+     *
+     * @param density what {@link Bsdf#evaluate} returns for the direction, having written its value into {@link #weight}
+     * @param eta as for {@link #eta}
+     * @return false if the density is 0, as rounding may have it: there is nothing to go on with
+     */
+    boolean complete(double density, double eta) {
+        if (density == 0) {
+            return false;
+        }
+        setContinuous(density);
+        this.eta = eta;
+        // Division, as the reciprocal of a subnormal density is infinite.
+        weight.set(weight.r / density, weight.g / density, weight.b / density);
+        return true;
+    }
 
     /** Marks the sample as drawn from a lobe with a density per solid angle that does not refract. */
     void setContinuous(double density) {

@@ -16,10 +16,11 @@ public final class BumpMap extends PerturbedBsdf {
      * @param height displacement along the normal; of colours the luminance counts
      * @param scale world units per unit of the texture
      * @param shadowed whether tilted facets shadow each other, which softens the edge of darkness
-     * @throws IllegalArgumentException if the scale is not finite or the texture has no derivatives
+     * @throws IllegalArgumentException if the scale is not finite, the texture has no derivatives, or the nested material has a
+     *     map over other texture coordinates
      */
     public BumpMap(Texture height, double scale, Bsdf nested, boolean shadowed) {
-        super(nested, shadowed);
+        super(height, nested, shadowed);
         if (!Double.isFinite(scale)) {
             throw new IllegalArgumentException("the scale of a bump map must be finite but is " + scale);
         }
@@ -32,13 +33,19 @@ public final class BumpMap extends PerturbedBsdf {
 
     @Override
     double slopeS(SurfacePoint point) {
-        return point.uLength == 0 ? 0 : scale * height.derivativeU(point) / point.uLength;
+        double byU = scale * height.derivativeU(point);
+        if (point.uAlongT == 0) {
+            return point.uAlongS == 0 ? 0 : byU / point.uAlongS;
+        }
+        return (byU * point.vAlongT - scale * height.derivativeV(point) * point.uAlongT) / point.uvArea();
     }
 
     @Override
     double slopeT(SurfacePoint point) {
-        return point.vAlongT == 0
-                ? 0
-                : (scale * height.derivativeV(point) - point.vAlongS * slopeS(point)) / point.vAlongT;
+        double byV = scale * height.derivativeV(point);
+        if (point.uAlongT == 0) {
+            return point.vAlongT == 0 ? 0 : (byV - point.vAlongS * slopeS(point)) / point.vAlongT;
+        }
+        return (byV * point.uAlongS - scale * height.derivativeU(point) * point.vAlongS) / point.uvArea();
     }
 }

@@ -60,9 +60,7 @@ public final class Conductor extends DeltaBsdf {
         if (woZ <= 0) {
             return false;
         }
-        out.wiX = -woX;
-        out.wiY = -woY;
-        out.wiZ = woZ;
+        out.setMirrored(woX, woY, woZ);
         out.setDelta(1, 1);
         specularReflectance.evaluate(point, out.weight);
         fresnel.multiply(woZ, out.weight);

@@ -59,9 +59,7 @@ public final class Dielectric extends DeltaBsdf {
         double refracted = Fresnel.refractedCosine(cosine, etaRatio);
         double reflectance = refracted < 0 ? 1 : Fresnel.dielectric(cosine, refracted, 1 / etaRatio);
         if (w < reflectance) {
-            out.wiX = -woX;
-            out.wiY = -woY;
-            out.wiZ = woZ;
+            out.setMirrored(woX, woY, woZ);
             out.setDelta(reflectance, 1);
             specularReflectance.evaluate(point, out.weight);
             return true;
@@ -79,11 +77,6 @@ public final class Dielectric extends DeltaBsdf {
     @Override
     public void albedo(SurfacePoint point, Spectrum out) {
         double reflectance = Fresnel.dielectric(1, intIor / extIor);
-        specularReflectance.evaluateScaled(point, reflectance, out);
-        double r = out.r;
-        double g = out.g;
-        double b = out.b;
-        specularTransmittance.evaluateScaled(point, 1 - reflectance, out);
-        out.set(out.r + r, out.g + g, out.b + b);
+        specularReflectance.evaluateSum(point, reflectance, specularTransmittance, 1 - reflectance, out);
     }
 }

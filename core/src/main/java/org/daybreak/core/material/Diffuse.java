@@ -2,7 +2,6 @@ package org.daybreak.core.material;
 
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.geometry.SurfacePoint;
-import org.daybreak.core.sampling.Warps;
 
 /** Ideally diffuse reflection, f = ρ/π (Lambert). One-sided: black from behind. */
 public final class Diffuse implements Bsdf {
@@ -28,11 +27,6 @@ public final class Diffuse implements Bsdf {
     @Override
     public boolean choosesLobe() {
         return false;
-    }
-
-    @Override
-    public boolean connectable() {
-        return true;
     }
 
     @Override
@@ -82,10 +76,7 @@ public final class Diffuse implements Bsdf {
         if (woZ <= 0) {
             return false;
         }
-        Warps.toCosineHemisphere(u, v, out.direction);
-        out.wiX = out.direction[0];
-        out.wiY = out.direction[1];
-        out.wiZ = out.direction[2];
+        out.setCosineDistributed(u, v);
         out.setContinuous(out.wiZ * INV_PI);
         reflectance.evaluate(point, out.weight);
         return true;

@@ -2,7 +2,6 @@ package org.daybreak.core.material;
 
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.geometry.SurfacePoint;
-import org.daybreak.core.sampling.Warps;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -105,17 +104,10 @@ public final class GroimpPhong implements Bsdf {
     @Override
     public boolean textured() {
         return diffuse.varies()
-                || alpha.varies()
                 || specular.varies()
-                || shininess.varies()
                 || transparency.varies()
-                || transparencyShininess.varies()
-                || diffuseTransparency.varies();
-    }
-
-    @Override
-    public boolean connectable() {
-        return true;
+                || diffuseTransparency.varies()
+                || UnitScalar.anyVaries(alpha, shininess, transparencyShininess);
     }
 
     @Override
@@ -328,7 +320,6 @@ public final class GroimpPhong implements Bsdf {
         double total = base + mirror + refraction + translucent;
         double chosen = w * total;
         boolean reflected = true;
-        out.eta = 1;
         if (!(total > 0)) {
             return false;
         } else if (chosen < base) {
@@ -356,20 +347,12 @@ public final class GroimpPhong implements Bsdf {
             return false;
         }
         double density = evaluate(point, woX, woY, woZ, out.wiX, out.wiY, out.wiZ, mode, out.weight);
-        if (density == 0) {
-            return false;
-        }
-        out.setContinuous(density);
-        out.eta = reflected ? 1 : woZ > 0 ? 1 / eta : eta;
-        out.weight.set(out.weight.r / density, out.weight.g / density, out.weight.b / density);
-        return true;
+        return out.complete(density, reflected ? 1 : woZ > 0 ? 1 / eta : eta);
     }
 
     private static void setDiffuse(double u, double v, boolean up, BsdfSample out) {
-        Warps.toCosineHemisphere(u, v, out.direction);
-        out.wiX = out.direction[0];
-        out.wiY = out.direction[1];
-        out.wiZ = up ? out.direction[2] : -out.direction[2];
+        out.setCosineDistributed(u, v);
+        out.wiZ = up ? out.wiZ : -out.wiZ;
     }
 
     /** Draws with density (n + 1) cosⁿβ/2π about a unit axis. */
@@ -421,9 +404,7 @@ public final class GroimpPhong implements Bsdf {
                 (base(ctR, out.weight.r) + r * ctR) / probability,
                 (base(ctG, out.weight.g) + r * ctG) / probability,
                 (base(ctB, out.weight.b) + r * ctB) / probability);
-        out.wiX = -woX;
-        out.wiY = -woY;
-        out.wiZ = woZ;
+        out.setMirrored(woX, woY, woZ);
         out.setDelta(probability, 1);
         return true;
     }

@@ -2,7 +2,6 @@ package org.daybreak.core.material;
 
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.geometry.SurfacePoint;
-import org.daybreak.core.sampling.Warps;
 
 /**
  * A thin sheet that scatters diffusely to both sides, such as a plant's leaf or paper: light that arrives on a side is
@@ -80,11 +79,6 @@ public final class Leaf implements Bsdf {
     }
 
     @Override
-    public boolean connectable() {
-        return true;
-    }
-
-    @Override
     public boolean transmissive() {
         return true;
     }
@@ -144,15 +138,13 @@ public final class Leaf implements Bsdf {
             return false;
         }
         boolean reflected = w < reflection;
-        Warps.toCosineHemisphere(u, v, out.direction);
-        out.wiX = out.direction[0];
-        out.wiY = out.direction[1];
-        out.wiZ = woZ > 0 == reflected ? out.direction[2] : -out.direction[2];
+        out.setCosineDistributed(u, v);
         if (out.wiZ == 0) {
             return false;
         }
         double probability = reflected ? reflection : 1 - reflection;
-        out.setContinuous(probability * out.direction[2] * INV_PI);
+        out.setContinuous(probability * out.wiZ * INV_PI);
+        out.wiZ = woZ > 0 == reflected ? out.wiZ : -out.wiZ;
         lit(point, reflected, arrivesInFront(woZ, out.wiZ, mode), out.weight);
         out.weight.scale(1 / probability);
         return true;

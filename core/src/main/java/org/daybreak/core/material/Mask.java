@@ -29,8 +29,8 @@ public final class Mask implements Bsdf {
     }
 
     @Override
-    public boolean needsTangents() {
-        return nested.needsTangents();
+    public TangentFrame tangentFrame() {
+        return nested.tangentFrame();
     }
 
     @Override
@@ -91,9 +91,7 @@ public final class Mask implements Bsdf {
             out.density *= there;
             return sampled;
         }
-        out.wiX = -woX;
-        out.wiY = -woY;
-        out.wiZ = -woZ;
+        out.setStraight(woX, woY, woZ);
         out.weight.set(1);
         out.setDelta(1 - there, 1);
         out.passThrough = true;

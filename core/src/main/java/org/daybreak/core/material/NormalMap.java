@@ -18,6 +18,7 @@ public final class NormalMap extends PerturbedBsdf {
      * Creates a normal map over a material, whose green component counts along t.
      *
      * @param shadowed whether tilted facets shadow each other, which softens the edge of darkness
+     * @throws IllegalArgumentException if the nested material has a map over other texture coordinates
      */
     public NormalMap(Texture normals, Bsdf nested, boolean shadowed) {
         this(normals, 1, false, nested, shadowed);
@@ -30,10 +31,11 @@ public final class NormalMap extends PerturbedBsdf {
      * @param greenAgainstV whether the green component counts along −∂p/∂v, which is ±t, as where v runs down the
      *     image and mirrored parts share a map (glTF); otherwise it counts along t
      * @param shadowed whether tilted facets shadow each other, which softens the edge of darkness
-     * @throws IllegalArgumentException if the factor is not finite
+     * @throws IllegalArgumentException if the factor is not finite or the nested material has a map over other texture
+     *     coordinates
      */
     public NormalMap(Texture normals, double scale, boolean greenAgainstV, Bsdf nested, boolean shadowed) {
-        super(nested, shadowed);
+        super(normals, nested, shadowed);
         if (!Double.isFinite(scale)) {
             throw new IllegalArgumentException("the scale of a normal map must be finite but is " + scale);
         }
@@ -50,7 +52,7 @@ public final class NormalMap extends PerturbedBsdf {
     @Override
     double slopeT(SurfacePoint point) {
         double slope = scale * (1 - 2 * normals.component(point, 1)) / z(point);
-        return greenAgainstV && point.vAlongT > 0 ? -slope : slope;
+        return greenAgainstV && point.uvArea() > 0 ? -slope : slope;
     }
 
     private double z(SurfacePoint point) {

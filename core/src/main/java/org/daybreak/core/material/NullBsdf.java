@@ -39,9 +39,7 @@ public final class NullBsdf extends DeltaBsdf {
             double w,
             TransportMode mode,
             BsdfSample out) {
-        out.wiX = -woX;
-        out.wiY = -woY;
-        out.wiZ = -woZ;
+        out.setStraight(woX, woY, woZ);
         out.weight.set(1);
         out.setDelta(1, 1);
         out.passThrough = true;

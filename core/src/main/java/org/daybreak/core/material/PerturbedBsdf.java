@@ -2,6 +2,7 @@ package org.daybreak.core.material;
 
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.geometry.SurfacePoint;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A material in a shading frame whose normal is tilted by a texture. As with interpolated normals, a pair of directions
@@ -17,10 +18,19 @@ abstract class PerturbedBsdf implements Bsdf {
     private static final double GRAZING = 1e-12;
 
     private final Bsdf nested;
+    private final TangentFrame tangentFrame;
     private final boolean shadowed;
 
-    PerturbedBsdf(Bsdf nested, boolean shadowed) {
+    /**
+     * Wraps a material.
+     *
+     * @param map the texture that tilts the normal
+     * @throws IllegalArgumentException if the nested material has a map over other texture coordinates
+     */
+    PerturbedBsdf(Texture map, Bsdf nested, boolean shadowed) {
         this.nested = nested;
+        this.tangentFrame =
+                (map.usesSecondUvs() ? TangentFrame.SECOND_UVS : TangentFrame.FIRST_UVS).and(nested.tangentFrame());
         this.shadowed = shadowed;
     }
 
@@ -36,8 +46,8 @@ abstract class PerturbedBsdf implements Bsdf {
     }
 
     @Override
-    public final boolean needsTangents() {
-        return true;
+    public final TangentFrame tangentFrame() {
+        return tangentFrame;
     }
 
     @Override
@@ -76,30 +86,7 @@ abstract class PerturbedBsdf implements Bsdf {
             double wiZ,
             TransportMode mode,
             Spectrum value) {
-        double slopeS = slopeS(point);
-        double slopeT = slopeT(point);
-        double nz = 1 / Math.sqrt(1 + slopeS * slopeS + slopeT * slopeT);
-        double nx = -slopeS * nz;
-        double ny = -slopeT * nz;
-        double oz = woX * nx + woY * ny + woZ * nz;
-        double iz = wiX * nx + wiY * ny + wiZ * nz;
-        if (!sameSide(oz, woZ) || !sameSide(iz, wiZ)) {
-            value.setZero();
-            return 0;
-        }
-        double c = Math.sqrt(ny * ny + nz * nz);
-        double density = nested.evaluate(
-                point,
-                alongS(c, nx, ny, nz, woX, woY, woZ),
-                alongT(c, ny, nz, woY, woZ),
-                oz,
-                alongS(c, nx, ny, nz, wiX, wiY, wiZ),
-                alongT(c, ny, nz, wiY, wiZ),
-                iz,
-                mode,
-                value);
-        value.scale(factor(slopeS * slopeS + slopeT * slopeT, woZ, oz, wiZ, iz, mode));
-        return density;
+        return scatter(point, woX, woY, woZ, wiX, wiY, wiZ, mode, value);
     }
 
     @Override
@@ -112,6 +99,23 @@ abstract class PerturbedBsdf implements Bsdf {
             double wiY,
             double wiZ,
             TransportMode mode) {
+        return scatter(point, woX, woY, woZ, wiX, wiY, wiZ, mode, null);
+    }
+
+    /** Returns the density and, unless it is null, writes the value. */
+    private double scatter(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double wiX,
+            double wiY,
+            double wiZ,
+            TransportMode mode,
+            @Nullable Spectrum value) {
+        if (value != null) {
+            value.setZero();
+        }
         double slopeS = slopeS(point);
         double slopeT = slopeT(point);
         double nz = 1 / Math.sqrt(1 + slopeS * slopeS + slopeT * slopeT);
@@ -123,15 +127,16 @@ abstract class PerturbedBsdf implements Bsdf {
             return 0;
         }
         double c = Math.sqrt(ny * ny + nz * nz);
-        return nested.density(
-                point,
-                alongS(c, nx, ny, nz, woX, woY, woZ),
-                alongT(c, ny, nz, woY, woZ),
-                oz,
-                alongS(c, nx, ny, nz, wiX, wiY, wiZ),
-                alongT(c, ny, nz, wiY, wiZ),
-                iz,
-                mode);
+        double ox = alongS(c, nx, ny, nz, woX, woY, woZ);
+        double oy = alongT(c, ny, nz, woY, woZ);
+        double ix = alongS(c, nx, ny, nz, wiX, wiY, wiZ);
+        double iy = alongT(c, ny, nz, wiY, wiZ);
+        if (value == null) {
+            return nested.density(point, ox, oy, oz, ix, iy, iz, mode);
+        }
+        double density = nested.evaluate(point, ox, oy, oz, ix, iy, iz, mode, value);
+        value.scale(factor(slopeS * slopeS + slopeT * slopeT, woZ, oz, wiZ, iz, mode));
+        return density;
     }
 
     @Override
@@ -158,9 +163,7 @@ abstract class PerturbedBsdf implements Bsdf {
             return false;
         }
         if (out.passThrough) {
-            out.wiX = -woX;
-            out.wiY = -woY;
-            out.wiZ = -woZ;
+            out.setStraight(woX, woY, woZ);
             return true;
         }
         double x = out.wiX;
@@ -175,14 +178,10 @@ abstract class PerturbedBsdf implements Bsdf {
         if (!out.delta) {
             // Evaluated anew: at grazing angles turning the direction has rounded away digits that the nested material
             // used.
-            double eta = out.eta;
             double density = evaluate(point, woX, woY, woZ, wiX, wiY, wiZ, mode, out.weight);
-            if (density == 0) {
+            if (!out.complete(density, out.eta)) {
                 return false;
             }
-            out.weight.set(out.weight.r / density, out.weight.g / density, out.weight.b / density);
-            out.setContinuous(density);
-            out.eta = eta;
         } else {
             out.weight.scale(factor(slopeS * slopeS + slopeT * slopeT, woZ, oz, wiZ, iz, mode));
         }

@@ -2,7 +2,6 @@ package org.daybreak.core.material;
 
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.geometry.SurfacePoint;
-import org.daybreak.core.sampling.Warps;
 
 /**
  * A diffuse base under a smooth dielectric coating: delta reflection off the coating, and diffuse light from below with
@@ -40,11 +39,6 @@ public final class Plastic implements Bsdf {
     @Override
     public boolean textured() {
         return base.varies() || specularReflectance.varies();
-    }
-
-    @Override
-    public boolean connectable() {
-        return true;
     }
 
     @Override
@@ -103,10 +97,7 @@ public final class Plastic implements Bsdf {
         double transmittanceOut = 1 - Fresnel.dielectric(Math.min(1, woZ), eta);
         double diffuse = choice.diffuseProbability(transmittanceOut);
         if (w < diffuse) {
-            Warps.toCosineHemisphere(u, v, out.direction);
-            out.wiX = out.direction[0];
-            out.wiY = out.direction[1];
-            out.wiZ = out.direction[2];
+            out.setCosineDistributed(u, v);
             out.setContinuous(diffuse * out.wiZ * INV_PI);
             double transmittanceIn = 1 - Fresnel.dielectric(Math.min(1, out.wiZ), eta);
             base.evaluate(point, transmittanceOut * transmittanceIn / diffuse, out.weight);
@@ -115,9 +106,7 @@ public final class Plastic implements Bsdf {
         if (!choice.anyLobe()) {
             return false;
         }
-        out.wiX = -woX;
-        out.wiY = -woY;
-        out.wiZ = woZ;
+        out.setMirrored(woX, woY, woZ);
         out.setDelta(1 - diffuse, 1);
         specularReflectance.evaluateScaled(point, (1 - transmittanceOut) / (1 - diffuse), out.weight);
         return true;

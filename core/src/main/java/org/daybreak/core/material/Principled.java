@@ -2,7 +2,7 @@ package org.daybreak.core.material;
 
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.geometry.SurfacePoint;
-import org.daybreak.core.sampling.Warps;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The principled material of Burley (2012, 2015) with the parameters and formulas of Mitsuba 3: metal, rough glass and a
@@ -14,9 +14,7 @@ import org.daybreak.core.sampling.Warps;
  */
 public final class Principled implements Bsdf {
     private static final double INV_PI = 1 / Math.PI;
-
-    /** Cosines below this count as along the surface: quotients of smaller ones would overflow. */
-    private static final double GRAZING = 1e-100;
+    private static final double GRAZING = PrincipledLobes.GRAZING;
 
     /** Clear coat has a quarter of the energy of the main reflection (Burley 2012, §5.6). */
     private static final double COAT_SHARE = 0.25;
@@ -101,26 +99,22 @@ public final class Principled implements Bsdf {
     @Override
     public boolean textured() {
         return baseColor.varies()
-                || roughness.varies()
-                || anisotropic.varies()
-                || metallic.varies()
-                || specTrans.varies()
-                || specTint.varies()
-                || sheen.varies()
-                || sheenTint.varies()
-                || flatness.varies()
-                || clearcoat.varies()
-                || clearcoatGloss.varies();
+                || UnitScalar.anyVaries(
+                        roughness,
+                        anisotropic,
+                        metallic,
+                        specTrans,
+                        specTint,
+                        sheen,
+                        sheenTint,
+                        flatness,
+                        clearcoat,
+                        clearcoatGloss);
     }
 
     @Override
-    public boolean needsTangents() {
-        return !anisotropic.isZero();
-    }
-
-    @Override
-    public boolean connectable() {
-        return true;
+    public TangentFrame tangentFrame() {
+        return anisotropic.isZero() ? TangentFrame.ARBITRARY : TangentFrame.ANY_UVS;
     }
 
     @Override
@@ -139,13 +133,42 @@ public final class Principled implements Bsdf {
             double wiZ,
             TransportMode mode,
             Spectrum value) {
-        value.setZero();
+        return scatter(point, woX, woY, woZ, wiX, wiY, wiZ, mode, value);
+    }
+
+    @Override
+    public double density(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double wiX,
+            double wiY,
+            double wiZ,
+            TransportMode mode) {
+        return scatter(point, woX, woY, woZ, wiX, wiY, wiZ, mode, null);
+    }
+
+    /** Returns the density and, unless it is null, writes the value. */
+    private double scatter(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double wiX,
+            double wiY,
+            double wiZ,
+            TransportMode mode,
+            @Nullable Spectrum value) {
+        if (value != null) {
+            value.setZero();
+        }
         double metal = metallic.at(point);
         double glass = (1 - metal) * specTrans.at(point);
         boolean front = woZ > 0;
         double cosineOut = Math.abs(woZ);
         double inZ = front ? wiZ : -wiZ;
-        if (!(cosineOut > GRAZING) || !(Math.abs(inZ) > GRAZING) || (!front && glass == 0)) {
+        if (!(cosineOut > GRAZING) || !(Math.abs(inZ) > GRAZING) || (glass == 0 && (!front || inZ < 0))) {
             return 0;
         }
         double rough = roughness.at(point);
@@ -153,18 +176,19 @@ public final class Principled implements Bsdf {
         double alphaU = PrincipledLobes.alphaU(rough, anisotropy);
         double alphaV = PrincipledLobes.alphaV(rough, anisotropy);
         double relative = front ? eta : 1 / eta;
-        double maskingIn = Microfacet.maskingOverCosine(Microfacet.Kind.GGX, alphaU, alphaV, wiX, wiY, Math.abs(inZ))
-                * Math.abs(inZ);
+        double maskingIn = value == null
+                ? 0
+                : Microfacet.maskingOverCosine(Microfacet.Kind.GGX, alphaU, alphaV, wiX, wiY, Math.abs(inZ))
+                        * Math.abs(inZ);
         if (inZ < 0) {
             double density = DielectricFacets.refractionDensity(
                     Microfacet.Kind.GGX, alphaU, alphaV, relative, woX, woY, cosineOut, wiX, wiY, inZ);
-            if (density == 0 || glass == 0) {
-                return 0;
+            if (value != null && density != 0) {
+                double crossing = mode == TransportMode.RADIANCE ? 1 / (relative * relative) : 1;
+                baseColor.evaluate(point, value);
+                double scale = glass * density * maskingIn * crossing;
+                value.set(scale * Math.sqrt(value.r), scale * Math.sqrt(value.g), scale * Math.sqrt(value.b));
             }
-            double crossing = mode == TransportMode.RADIANCE ? 1 / (relative * relative) : 1;
-            baseColor.evaluate(point, value);
-            double scale = glass * density * maskingIn * crossing;
-            value.set(scale * Math.sqrt(value.r), scale * Math.sqrt(value.g), scale * Math.sqrt(value.b));
             return front ? density * glass / weights(point, metal) : density;
         }
         double facets =
@@ -172,11 +196,15 @@ public final class Principled implements Bsdf {
         double half = Microfacet.halfAngleCosine(woX, woY, cosineOut, wiX, wiY, inZ);
         double reflectance = Fresnel.dielectric(half, relative);
         if (!front) {
-            value.set(glass * reflectance * facets * maskingIn);
+            if (value != null) {
+                value.set(glass * reflectance * facets * maskingIn);
+            }
             return reflectance * facets;
         }
-        baseColor.evaluate(point, value);
-        addFront(point, woX, woY, woZ, wiX, wiY, wiZ, metal, rough, half, facets * maskingIn, reflectance, value);
+        if (value != null) {
+            baseColor.evaluate(point, value);
+            addFront(point, woX, woY, woZ, wiX, wiY, wiZ, metal, rough, half, facets * maskingIn, reflectance, value);
+        }
         return frontDensity(point, woX, woY, woZ, wiX, wiY, wiZ, metal, glass, half, facets, reflectance);
     }
 
@@ -201,7 +229,6 @@ public final class Principled implements Bsdf {
             double reflectance,
             Spectrum value) {
         double diffuseShare = (1 - metal) * (1 - specTrans.at(point));
-        double luminance = value.luminance();
         double grazing = PrincipledLobes.schlick(half, eta);
         double tint = specTint.at(point);
         double tinted = main * (1 - metal) * tint;
@@ -223,14 +250,8 @@ public final class Principled implements Bsdf {
         double metalBase = main * metal * (1 - grazing);
         double plain = untinted + metalGrazing + tinted * grazing + cloth * (1 - clothTint);
         double perColor = metalBase + diffuse;
-        // A black base has no hue: its tint is white.
         double hued = tinted * (1 - grazing) * normalReflectance + cloth * clothTint;
-        if (luminance > 0) {
-            perColor += hued / luminance;
-        } else {
-            plain += hued;
-        }
-        value.set(plain + perColor * value.r, plain + perColor * value.g, plain + perColor * value.b);
+        PrincipledLobes.combine(plain, perColor, hued, value);
     }
 
     private double coat(
@@ -248,43 +269,6 @@ public final class Principled implements Bsdf {
                 * PrincipledLobes.coatDistribution(alpha, woX + wiX, woY + wiY, woZ + wiZ)
                 * PrincipledLobes.coatMasking(woZ, wiZ)
                 * wiZ;
-    }
-
-    @Override
-    public double density(
-            SurfacePoint point,
-            double woX,
-            double woY,
-            double woZ,
-            double wiX,
-            double wiY,
-            double wiZ,
-            TransportMode mode) {
-        double metal = metallic.at(point);
-        double glass = (1 - metal) * specTrans.at(point);
-        boolean front = woZ > 0;
-        double cosineOut = Math.abs(woZ);
-        double inZ = front ? wiZ : -wiZ;
-        if (!(cosineOut > GRAZING) || !(Math.abs(inZ) > GRAZING) || (!front && glass == 0)) {
-            return 0;
-        }
-        double rough = roughness.at(point);
-        double anisotropy = anisotropic.at(point);
-        double alphaU = PrincipledLobes.alphaU(rough, anisotropy);
-        double alphaV = PrincipledLobes.alphaV(rough, anisotropy);
-        double relative = front ? eta : 1 / eta;
-        if (inZ < 0) {
-            double density = DielectricFacets.refractionDensity(
-                    Microfacet.Kind.GGX, alphaU, alphaV, relative, woX, woY, cosineOut, wiX, wiY, inZ);
-            return front ? density * glass / weights(point, metal) : density;
-        }
-        double facets =
-                Microfacet.reflectionDensity(Microfacet.Kind.GGX, alphaU, alphaV, woX, woY, cosineOut, wiX, wiY, inZ);
-        double half = Microfacet.halfAngleCosine(woX, woY, cosineOut, wiX, wiY, inZ);
-        double reflectance = Fresnel.dielectric(half, relative);
-        return front
-                ? frontDensity(point, woX, woY, woZ, wiX, wiY, wiZ, metal, glass, half, facets, reflectance)
-                : reflectance * facets;
     }
 
     private double frontDensity(
@@ -343,10 +327,7 @@ public final class Principled implements Bsdf {
         double chosen = w * total;
         boolean refracted = false;
         if (chosen < base) {
-            Warps.toCosineHemisphere(u, v, out.direction);
-            out.wiX = out.direction[0];
-            out.wiY = out.direction[1];
-            out.wiZ = out.direction[2];
+            out.setCosineDistributed(u, v);
         } else if (chosen < base + coat) {
             PrincipledLobes.sampleCoat(PrincipledLobes.coatAlpha(clearcoatGloss.at(point)), u, v, out);
             double twice = 2 * (woX * out.wiX + woY * out.wiY + woZ * out.wiZ);
@@ -380,13 +361,7 @@ public final class Principled implements Bsdf {
             return false;
         }
         double density = evaluate(point, woX, woY, woZ, out.wiX, out.wiY, out.wiZ, mode, out.weight);
-        if (density == 0) {
-            return false;
-        }
-        out.setContinuous(density);
-        out.eta = refracted ? (front ? 1 / eta : eta) : 1;
-        out.weight.set(out.weight.r / density, out.weight.g / density, out.weight.b / density);
-        return true;
+        return out.complete(density, refracted ? (front ? 1 / eta : eta) : 1);
     }
 
     @Override

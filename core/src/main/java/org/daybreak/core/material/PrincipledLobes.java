@@ -1,10 +1,15 @@
 package org.daybreak.core.material;
 
+import org.daybreak.core.color.Spectrum;
+
 /**
  * Terms that the principled materials share (Burley 2012, “Physically Based Shading at Disney”, and 2015, “Extending the
  * Disney BRDF to a BSDF with Integrated Subsurface Scattering”), in the form that Mitsuba 3 gives them.
  */
 final class PrincipledLobes {
+    /** Cosines below this count as along the surface: quotients of smaller ones would overflow. */
+    static final double GRAZING = 1e-100;
+
     private static final double LEAST_ALPHA = 0.001;
     private static final double INV_PI = 1 / Math.PI;
 
@@ -65,6 +70,17 @@ final class PrincipledLobes {
             sum += flatness * (flat - sum);
         }
         return sum * cosineIn * INV_PI;
+    }
+
+    /**
+     * Replaces the colour c of the base by plain + perColor·c + hued·(c by its luminance). A black base has no hue: its tint
+     * is white.
+     */
+    static void combine(double plain, double perColor, double hued, Spectrum color) {
+        double luminance = color.luminance();
+        double white = luminance > 0 ? plain : plain + hued;
+        double scale = luminance > 0 ? perColor + hued / luminance : perColor;
+        color.set(white + scale * color.r, white + scale * color.g, white + scale * color.b);
     }
 
     /** Roughness of the clear coat from its gloss. */

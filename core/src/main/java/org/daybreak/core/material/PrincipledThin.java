@@ -2,7 +2,7 @@ package org.daybreak.core.material;
 
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.geometry.SurfacePoint;
-import org.daybreak.core.sampling.Warps;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The principled material for surfaces without thickness, such as panes and leaves (Burley 2015, §5), with the parameters
@@ -11,9 +11,7 @@ import org.daybreak.core.sampling.Warps;
  */
 public final class PrincipledThin implements Bsdf {
     private static final double INV_PI = 1 / Math.PI;
-
-    /** Cosines below this count as along the surface: quotients of smaller ones would overflow. */
-    private static final double GRAZING = 1e-100;
+    private static final double GRAZING = PrincipledLobes.GRAZING;
 
     /**
      * The parameters. Textures have values in [0,1], but for {@code diffTrans}.
@@ -73,24 +71,13 @@ public final class PrincipledThin implements Bsdf {
     @Override
     public boolean textured() {
         return baseColor.varies()
-                || roughness.varies()
-                || anisotropic.varies()
-                || specTrans.varies()
-                || specTint.varies()
-                || sheen.varies()
-                || sheenTint.varies()
-                || flatness.varies()
-                || diffTrans.varies();
+                || UnitScalar.anyVaries(
+                        roughness, anisotropic, specTrans, specTint, sheen, sheenTint, flatness, diffTrans);
     }
 
     @Override
-    public boolean needsTangents() {
-        return !anisotropic.isZero();
-    }
-
-    @Override
-    public boolean connectable() {
-        return true;
+    public TangentFrame tangentFrame() {
+        return anisotropic.isZero() ? TangentFrame.ARBITRARY : TangentFrame.ANY_UVS;
     }
 
     @Override
@@ -109,7 +96,35 @@ public final class PrincipledThin implements Bsdf {
             double wiZ,
             TransportMode mode,
             Spectrum value) {
-        value.setZero();
+        return scatter(point, woX, woY, woZ, wiX, wiY, wiZ, value);
+    }
+
+    @Override
+    public double density(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double wiX,
+            double wiY,
+            double wiZ,
+            TransportMode mode) {
+        return scatter(point, woX, woY, woZ, wiX, wiY, wiZ, null);
+    }
+
+    /** Returns the density and, unless it is null, writes the value. */
+    private double scatter(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double wiX,
+            double wiY,
+            double wiZ,
+            @Nullable Spectrum value) {
+        if (value != null) {
+            value.setZero();
+        }
         double cosineOut = Math.abs(woZ);
         double cosineIn = Math.abs(wiZ);
         if (!(cosineOut > GRAZING) || !(cosineIn > GRAZING)) {
@@ -118,6 +133,7 @@ public final class PrincipledThin implements Bsdf {
         boolean reflected = woZ > 0 == wiZ > 0;
         double specular = specTrans.at(point);
         double through = diffTrans.at(point);
+        double diffuse = 1 - specular;
         double facets = 0;
         double masking = 0;
         if (specular > 0) {
@@ -127,24 +143,21 @@ public final class PrincipledThin implements Bsdf {
             double alphaV = PrincipledLobes.alphaV(rough, anisotropy);
             facets = Microfacet.reflectionDensity(
                     Microfacet.Kind.GGX, alphaU, alphaV, woX, woY, cosineOut, wiX, wiY, cosineIn);
-            masking = Microfacet.maskingOverCosine(Microfacet.Kind.GGX, alphaU, alphaV, wiX, wiY, cosineIn) * cosineIn;
+            if (value != null) {
+                masking = Microfacet.maskingOverCosine(Microfacet.Kind.GGX, alphaU, alphaV, wiX, wiY, cosineIn)
+                        * cosineIn;
+            }
         }
-        double half = Microfacet.halfAngleCosine(woX, woY, cosineOut, wiX, wiY, cosineIn);
-        double reflectance = Fresnel.dielectric(half, eta);
-        baseColor.evaluate(point, value);
-        double diffuse = 1 - specular;
-        if (reflected) {
-            addReflected(
-                    point,
-                    cosineOut,
-                    cosineIn,
-                    half,
-                    specular * facets * masking,
-                    reflectance,
-                    diffuse * (1 - through),
-                    value);
-        } else {
-            value.scale(specular * facets * masking * (1 - reflectance) + diffuse * through * cosineIn * INV_PI);
+        if (value != null) {
+            double half = Microfacet.halfAngleCosine(woX, woY, cosineOut, wiX, wiY, cosineIn);
+            double reflectance = Fresnel.dielectric(half, eta);
+            double main = specular * facets * masking;
+            baseColor.evaluate(point, value);
+            if (reflected) {
+                addReflected(point, cosineOut, cosineIn, half, main, reflectance, diffuse * (1 - through), value);
+            } else {
+                value.scale(main * (1 - reflectance) + diffuse * through * cosineIn * INV_PI);
+            }
         }
         return 0.5 * specular * facets + diffuse * (reflected ? 1 - through : through) * cosineIn * INV_PI;
     }
@@ -165,7 +178,6 @@ public final class PrincipledThin implements Bsdf {
             double reflectance,
             double diffuseShare,
             Spectrum value) {
-        double luminance = value.luminance();
         double tint = specTint.at(point);
         double grazing = PrincipledLobes.schlick(half, eta);
         double plain = main * ((1 - tint) * reflectance + tint * grazing);
@@ -179,49 +191,7 @@ public final class PrincipledThin implements Bsdf {
             plain += cloth * (1 - clothTint);
             hued += cloth * clothTint;
         }
-        // A black base has no hue: its tint is white.
-        if (luminance > 0) {
-            perColor += hued / luminance;
-        } else {
-            plain += hued;
-        }
-        value.set(plain + perColor * value.r, plain + perColor * value.g, plain + perColor * value.b);
-    }
-
-    @Override
-    public double density(
-            SurfacePoint point,
-            double woX,
-            double woY,
-            double woZ,
-            double wiX,
-            double wiY,
-            double wiZ,
-            TransportMode mode) {
-        double cosineOut = Math.abs(woZ);
-        double cosineIn = Math.abs(wiZ);
-        if (!(cosineOut > GRAZING) || !(cosineIn > GRAZING)) {
-            return 0;
-        }
-        boolean reflected = woZ > 0 == wiZ > 0;
-        double specular = specTrans.at(point);
-        double through = diffTrans.at(point);
-        double facets = 0;
-        if (specular > 0) {
-            double rough = facetRoughness(point, reflected);
-            double anisotropy = anisotropic.at(point);
-            facets = Microfacet.reflectionDensity(
-                    Microfacet.Kind.GGX,
-                    PrincipledLobes.alphaU(rough, anisotropy),
-                    PrincipledLobes.alphaV(rough, anisotropy),
-                    woX,
-                    woY,
-                    cosineOut,
-                    wiX,
-                    wiY,
-                    cosineIn);
-        }
-        return 0.5 * specular * facets + (1 - specular) * (reflected ? 1 - through : through) * cosineIn * INV_PI;
+        PrincipledLobes.combine(plain, perColor, hued, value);
     }
 
     @Override
@@ -258,19 +228,11 @@ public final class PrincipledThin implements Bsdf {
             }
         } else {
             reflected = w - specular < (1 - specular) * (1 - diffTrans.at(point));
-            Warps.toCosineHemisphere(u, v, out.direction);
-            out.wiX = out.direction[0];
-            out.wiY = out.direction[1];
-            out.wiZ = out.direction[2];
+            out.setCosineDistributed(u, v);
         }
         out.wiZ = woZ > 0 == reflected ? out.wiZ : -out.wiZ;
         double density = evaluate(point, woX, woY, woZ, out.wiX, out.wiY, out.wiZ, mode, out.weight);
-        if (density == 0) {
-            return false;
-        }
-        out.setContinuous(density);
-        out.weight.set(out.weight.r / density, out.weight.g / density, out.weight.b / density);
-        return true;
+        return out.complete(density, 1);
     }
 
     @Override

@@ -35,6 +35,11 @@ public final class ProductTexture implements Texture {
         return first.component(point, index) * second.component(point, index);
     }
 
+    @Override
+    public boolean usesSecondUvs() {
+        return first.usesSecondUvs() || second.usesSecondUvs();
+    }
+
     /** The product of the means, which is the mean of the product if the textures are independent or one is constant. */
     @Override
     public void mean(Spectrum out) {

@@ -55,6 +55,16 @@ final class Reflectance {
         }
     }
 
+    /** Writes the value at a point times a factor plus that of another times another factor. */
+    void evaluateSum(SurfacePoint point, double factor, Reflectance other, double otherFactor, Spectrum out) {
+        evaluateScaled(point, factor, out);
+        double sumR = out.r;
+        double sumG = out.g;
+        double sumB = out.b;
+        other.evaluateScaled(point, otherFactor, out);
+        out.set(out.r + sumR, out.g + sumG, out.b + sumB);
+    }
+
     /** Luminance at a point, positive unless the value is black. */
     double luminance(SurfacePoint point) {
         Texture texture = varying;

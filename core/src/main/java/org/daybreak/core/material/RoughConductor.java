@@ -68,18 +68,13 @@ public final class RoughConductor implements Bsdf {
     }
 
     @Override
-    public boolean needsTangents() {
-        return roughness.anisotropic();
+    public TangentFrame tangentFrame() {
+        return roughness.tangentFrame();
     }
 
     @Override
     public boolean choosesLobe() {
         return false;
-    }
-
-    @Override
-    public boolean connectable() {
-        return true;
     }
 
     @Override

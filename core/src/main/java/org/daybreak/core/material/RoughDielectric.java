@@ -54,13 +54,8 @@ public final class RoughDielectric implements Bsdf {
     }
 
     @Override
-    public boolean needsTangents() {
-        return roughness.anisotropic();
-    }
-
-    @Override
-    public boolean connectable() {
-        return true;
+    public TangentFrame tangentFrame() {
+        return roughness.tangentFrame();
     }
 
     @Override
@@ -169,11 +164,6 @@ public final class RoughDielectric implements Bsdf {
     @Override
     public void albedo(SurfacePoint point, Spectrum out) {
         double reflectance = Fresnel.dielectric(1, eta);
-        specularReflectance.evaluateScaled(point, reflectance, out);
-        double r = out.r;
-        double g = out.g;
-        double b = out.b;
-        specularTransmittance.evaluateScaled(point, 1 - reflectance, out);
-        out.set(out.r + r, out.g + g, out.b + b);
+        specularReflectance.evaluateSum(point, reflectance, specularTransmittance, 1 - reflectance, out);
     }
 }

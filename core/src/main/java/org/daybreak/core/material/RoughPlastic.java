@@ -2,7 +2,6 @@ package org.daybreak.core.material;
 
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.geometry.SurfacePoint;
-import org.daybreak.core.sampling.Warps;
 
 /**
  * A diffuse base under a rough dielectric coating: reflection off the coating's microfacets, and diffuse light from below
@@ -58,11 +57,6 @@ public final class RoughPlastic implements Bsdf {
     @Override
     public boolean textured() {
         return base.varies() || specularReflectance.varies();
-    }
-
-    @Override
-    public boolean connectable() {
-        return true;
     }
 
     @Override
@@ -128,21 +122,12 @@ public final class RoughPlastic implements Bsdf {
             return false;
         }
         if (w < choice.diffuseProbability(transmittance.at(woZ))) {
-            Warps.toCosineHemisphere(u, v, out.direction);
-            out.wiX = out.direction[0];
-            out.wiY = out.direction[1];
-            out.wiZ = out.direction[2];
+            out.setCosineDistributed(u, v);
         } else if (!Microfacet.sampleReflection(kind, alpha, woX, woY, woZ, u, v, out)) {
             return false;
         }
         double density = evaluate(point, woX, woY, woZ, out.wiX, out.wiY, out.wiZ, mode, out.weight);
-        if (density == 0) {
-            return false;
-        }
-        out.setContinuous(density);
-        // Division, as the reciprocal of a subnormal density is infinite.
-        out.weight.set(out.weight.r / density, out.weight.g / density, out.weight.b / density);
-        return true;
+        return out.complete(density, 1);
     }
 
     @Override

@@ -92,8 +92,8 @@ public final class Roughness {
         return textureU != null || textureV != null;
     }
 
-    /** True if the two numbers may differ. */
-    boolean anisotropic() {
-        return anisotropic;
+    /** The frame in which the two numbers have a meaning, if they differ. */
+    TangentFrame tangentFrame() {
+        return anisotropic ? TangentFrame.ANY_UVS : TangentFrame.ARBITRARY;
     }
 }

@@ -53,6 +53,11 @@ public final class ScaledTexture implements Texture {
     }
 
     @Override
+    public boolean usesSecondUvs() {
+        return nested.usesSecondUvs();
+    }
+
+    @Override
     public double derivativeU(SurfacePoint point) {
         return r * nested.derivativeU(point);
     }

@@ -27,6 +27,11 @@ public interface Texture {
         return false;
     }
 
+    /** True if the texture lies on the second texture coordinates; its derivatives are by those then. */
+    default boolean usesSecondUvs() {
+        return false;
+    }
+
     /** Derivative of the scalar value by the texture coordinate u; 0 where pieces are constant. */
     default double derivativeU(SurfacePoint point) {
         return 0;

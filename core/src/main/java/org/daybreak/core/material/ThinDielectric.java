@@ -54,15 +54,11 @@ public final class ThinDielectric extends DeltaBsdf {
         }
         double reflectance = reflectance(Math.min(1, Math.abs(woZ)));
         if (w < reflectance) {
-            out.wiX = -woX;
-            out.wiY = -woY;
-            out.wiZ = woZ;
+            out.setMirrored(woX, woY, woZ);
             out.setDelta(reflectance, 1);
             specularReflectance.evaluate(point, out.weight);
         } else {
-            out.wiX = -woX;
-            out.wiY = -woY;
-            out.wiZ = -woZ;
+            out.setStraight(woX, woY, woZ);
             out.setDelta(1 - reflectance, 1);
             specularTransmittance.evaluate(point, out.weight);
         }
@@ -77,11 +73,6 @@ public final class ThinDielectric extends DeltaBsdf {
     @Override
     public void albedo(SurfacePoint point, Spectrum out) {
         double reflectance = reflectance(1);
-        specularReflectance.evaluateScaled(point, reflectance, out);
-        double r = out.r;
-        double g = out.g;
-        double b = out.b;
-        specularTransmittance.evaluateScaled(point, 1 - reflectance, out);
-        out.set(out.r + r, out.g + g, out.b + b);
+        specularReflectance.evaluateSum(point, reflectance, specularTransmittance, 1 - reflectance, out);
     }
 }

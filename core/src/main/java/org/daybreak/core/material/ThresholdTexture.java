@@ -33,6 +33,11 @@ public final class ThresholdTexture implements Texture {
         return evaluateScalar(point);
     }
 
+    @Override
+    public boolean usesSecondUvs() {
+        return value.usesSecondUvs();
+    }
+
     /** The mean of the other texture, at most 1: how often it reaches the cutoff is not known, this is of the same order. */
     @Override
     public void mean(Spectrum out) {

@@ -10,17 +10,20 @@ import org.daybreak.core.geometry.SurfacePoint;
 public final class TwoSided implements Bsdf {
     private final Bsdf front;
     private final Bsdf back;
+    private final TangentFrame tangentFrame;
 
     /**
      * Creates a two-sided material.
      *
      * @param front material on the normal's side
      * @param back material on the other side; may be the same
-     * @throws IllegalArgumentException if one of them lets light through
+     * @throws IllegalArgumentException if one of them lets light through, or if they need frames along different texture
+     *     coordinates
      */
     public TwoSided(Bsdf front, Bsdf back) {
         this.front = requireOpaque("front", front);
         this.back = requireOpaque("back", back);
+        this.tangentFrame = front.tangentFrame().and(back.tangentFrame());
     }
 
     private static Bsdf requireOpaque(String side, Bsdf bsdf) {
@@ -42,8 +45,8 @@ public final class TwoSided implements Bsdf {
     }
 
     @Override
-    public boolean needsTangents() {
-        return front.needsTangents() || back.needsTangents();
+    public TangentFrame tangentFrame() {
+        return tangentFrame;
     }
 
     @Override

@@ -37,6 +37,16 @@ final class UnitScalar {
         return varying != null;
     }
 
+    /** True unless all are constant. */
+    static boolean anyVaries(UnitScalar... scalars) {
+        for (UnitScalar scalar : scalars) {
+            if (scalar.varies()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** True if 0 everywhere. */
     boolean isZero() {
         return zero;

@@ -20,7 +20,7 @@ public final class NonFiniteLog {
     public void addSample(long seed, int x, int y, long sample) {
         count++;
         if (addresses.size() < KEPT) {
-            addresses.add("seed " + seed + ", pixel (" + x + ", " + y + "), sample " + sample);
+            addresses.add(new SampleAddress(seed, x, y, sample).toString());
         }
     }
 

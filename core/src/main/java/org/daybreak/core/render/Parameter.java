@@ -34,7 +34,9 @@ public record Parameter(
         /** {@link Boolean} */
         BOOLEAN,
         /** {@link String}, one of the choices */
-        CHOICE
+        CHOICE,
+        /** {@link String}, the name of a folder that a program writes images into, or empty for none */
+        FOLDER
     }
 
     /** Copies the choices and checks that the default is admissible. */
@@ -64,6 +66,15 @@ public record Parameter(
     }
 
     /**
+     * A folder for images besides the film's, none by default. The renderer only learns whether one is given: it hands the images out
+     * ({@link RenderReport#sheets()}, under the name of the parameter), and the program that called it writes them. The
+     * image does not depend on it.
+     */
+    public static Parameter folder(String name, String label, String doc) {
+        return new Parameter(name, label, Type.FOLDER, "", 0, 0, List.of(), doc);
+    }
+
+    /**
      * Parses and validates a value.
      *
      * @throws ParameterException with a message that names parameter, value and what is admissible
@@ -76,6 +87,12 @@ public record Parameter(
             case BOOLEAN -> parseFlag(t, text);
             case CHOICE -> {
                 if (!choices.contains(t)) {
+                    throw invalid(text, null);
+                }
+                yield t;
+            }
+            case FOLDER -> {
+                if (t.indexOf('\0') >= 0) {
                     throw invalid(text, null);
                 }
                 yield t;
@@ -124,6 +141,7 @@ public record Parameter(
             case REAL -> "a number" + bounds(false);
             case BOOLEAN -> "true or false";
             case CHOICE -> "one of " + String.join(", ", choices);
+            case FOLDER -> "the name of a folder";
         };
     }
 

@@ -58,6 +58,11 @@ public final class ParameterValues {
         return (String) get(name);
     }
 
+    /** The name of a folder; empty if there shall be none. */
+    public String folder(String name) {
+        return (String) get(name);
+    }
+
     /** All values by name, in the order of their definition: for reports and file attributes. */
     public Map<String, Object> asMap() {
         return java.util.Collections.unmodifiableMap(values);

@@ -18,6 +18,7 @@ import java.util.Map;
  * @param nonFiniteAddresses addresses (seed, pixel, sample) of the first few of them, to replay
  * @param figures further figures by name
  * @param warnings what the user should know
+ * @param sheets images besides the film's, by the name of the parameter that asks for them ({@link Parameter.Type#FOLDER})
  */
 public record RenderReport(
         String renderer,
@@ -30,7 +31,8 @@ public record RenderReport(
         long nonFiniteSamples,
         List<String> nonFiniteAddresses,
         Map<String, Double> figures,
-        List<String> warnings) {
+        List<String> warnings,
+        Map<String, ImageSheet> sheets) {
     /** Copies the collections; maps keep their order. */
     public RenderReport {
         secondsByPhase = java.util.Collections.unmodifiableMap(new java.util.LinkedHashMap<>(secondsByPhase));
@@ -38,5 +40,34 @@ public record RenderReport(
         figures = java.util.Collections.unmodifiableMap(new java.util.LinkedHashMap<>(figures));
         nonFiniteAddresses = List.copyOf(nonFiniteAddresses);
         warnings = List.copyOf(warnings);
+        sheets = java.util.Collections.unmodifiableMap(new java.util.LinkedHashMap<>(sheets));
+    }
+
+    /** What a render did that has made no images besides the film's. */
+    public RenderReport(
+            String renderer,
+            boolean cancelled,
+            long samples,
+            long resumedSamples,
+            long samplesPerPixel,
+            Map<String, Double> secondsByPhase,
+            Map<String, Long> raysByKind,
+            long nonFiniteSamples,
+            List<String> nonFiniteAddresses,
+            Map<String, Double> figures,
+            List<String> warnings) {
+        this(
+                renderer,
+                cancelled,
+                samples,
+                resumedSamples,
+                samplesPerPixel,
+                secondsByPhase,
+                raysByKind,
+                nonFiniteSamples,
+                nonFiniteAddresses,
+                figures,
+                warnings,
+                Map.of());
     }
 }

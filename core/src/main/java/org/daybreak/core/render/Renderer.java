@@ -1,5 +1,6 @@
 package org.daybreak.core.render;
 
+import java.util.Optional;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.film.Film;
 import org.daybreak.core.scene.Scene;
@@ -23,6 +24,16 @@ public interface Renderer {
      * @throws CheckpointException if a checkpoint could not be saved
      */
     RenderReport render(Scene scene, Camera camera, Film film, RenderContext context);
+
+    /**
+     * Computes a single sample of a render once more, with the same random numbers.
+     *
+     * @return all that happened; empty if the renderer cannot tell
+     * @throws ParameterException if the settings do not fit the scene
+     */
+    default Optional<SampleRecord> replay(Scene scene, Camera camera, SampleRequest request) {
+        return Optional.empty();
+    }
 
     /**
      * Whether the renderer can go on from a state, hand out its state and render parts. If not, it ignores these settings of

@@ -16,14 +16,24 @@ public interface SampleAllocation {
     long[] passes(long samplesPerPixel);
 
     /**
-     * Chooses the numbers of samples of a pass that is not the first.
+     * What the passes so far say of the luminance of the pixels, row by row. Immutable as long as the arrays are not written to.
      *
      * @param width columns
      * @param height rows
-     * @param means mean luminance of each pixel, row by row
-     * @param deviations standard deviation of a single sample's luminance, NaN where it is unknown
+     * @param means means
+     * @param deviations standard deviation that a single sample would have were samples independent, estimated from the difference
+     *     between the last pass and those before it: the mean of its square over pixels is unbiased, each by itself is
+     *     hardly more than a guess. Not the scatter of the samples within a pixel, of which stratification removes a part. NaN
+     *     where it is unknown.
+     */
+    record Statistics(int width, int height, double[] means, double[] deviations) {}
+
+    /**
+     * Chooses the numbers of samples of a pass that is not the first.
+     *
+     * @param statistics what the passes before it have shown
      * @param average the average number of samples per pixel to aim at
      * @param counts receives the number of samples of each pixel, at least 1
      */
-    void allocate(int width, int height, double[] means, double[] deviations, long average, int[] counts);
+    void allocate(Statistics statistics, long average, int[] counts);
 }

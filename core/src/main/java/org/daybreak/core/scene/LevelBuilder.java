@@ -14,6 +14,7 @@ import org.daybreak.core.geometry.Shape;
 import org.daybreak.core.geometry.ShapeFrames;
 import org.daybreak.core.geometry.Sphere;
 import org.daybreak.core.geometry.TriangleMesh;
+import org.daybreak.core.material.TangentFrame;
 import org.daybreak.core.math.Transform;
 import org.jspecify.annotations.Nullable;
 
@@ -30,12 +31,13 @@ final class LevelBuilder {
     private float @Nullable [] uvs;
     private float @Nullable [] secondUvs;
     private float @Nullable [] colors;
+    private float @Nullable [] tangents;
     private int vertexCount;
     private int cornerCount;
 
     private final List<Integer> triangleShapes = new ArrayList<>();
     private final List<Integer> triangleStarts = new ArrayList<>();
-    private final List<Boolean> triangleTangents = new ArrayList<>();
+    private final List<TangentFrame> triangleFrames = new ArrayList<>();
     private final List<Quadric> quadrics = new ArrayList<>();
     private final List<LevelGeometry.QuadricShape> quadricShapes = new ArrayList<>();
 
@@ -81,28 +83,24 @@ final class LevelBuilder {
                 attributes(),
                 triangleStarts.stream().mapToInt(Integer::intValue).toArray(),
                 triangleShapes.stream().mapToInt(Integer::intValue).toArray(),
-                tangents(),
+                frames(),
                 quadrics.toArray(new Quadric[0]),
                 quadricShapes.toArray(new LevelGeometry.QuadricShape[0]));
     }
 
     private @Nullable VertexAttributes attributes() {
-        return secondUvs == null && colors == null
+        return secondUvs == null && colors == null && tangents == null
                 ? null
                 : new VertexAttributes(
                         secondUvs == null ? null : Arrays.copyOf(secondUvs, 2 * vertexCount),
-                        colors == null ? null : Arrays.copyOf(colors, 3 * vertexCount));
+                        colors == null ? null : Arrays.copyOf(colors, 3 * vertexCount),
+                        tangents == null ? null : Arrays.copyOf(tangents, 3 * vertexCount));
     }
 
-    private boolean @Nullable [] tangents() {
-        if (!triangleTangents.contains(true)) {
-            return null;
-        }
-        boolean[] needed = new boolean[triangleTangents.size()];
-        for (int i = 0; i < needed.length; i++) {
-            needed[i] = triangleTangents.get(i);
-        }
-        return needed;
+    private TangentFrame @Nullable [] frames() {
+        return triangleFrames.stream().allMatch(f -> f == TangentFrame.ARBITRARY)
+                ? null
+                : triangleFrames.toArray(new TangentFrame[0]);
     }
 
     private void addQuadric(int index, Quadric.Kind kind, Transform toLevel, boolean flipNormals, ShadingNeeds needs) {
@@ -134,8 +132,12 @@ final class LevelBuilder {
             System.arraycopy(meshUvs, 0, uvs, 2 * firstVertex, meshUvs.length);
         }
         addAttributes(mesh, firstVertex);
+        float[] meshTangents = mesh.tangents();
+        if (meshTangents != null && needs.frame() != TangentFrame.ARBITRARY) {
+            copyTangents(meshTangents, toLevel, firstVertex);
+        }
         triangleStarts.add(cornerCount / 3);
-        triangleTangents.add(needs.tangents());
+        triangleFrames.add(needs.frame());
         triangleShapes.add(index);
         boolean swap = toLevel.isMirroring() != flipNormals;
         int[] corners = mesh.triangles();
@@ -171,6 +173,22 @@ final class LevelBuilder {
             } else {
                 Arrays.fill(colors, 3 * firstVertex, 3 * (firstVertex + mesh.vertexCount()), 1);
             }
+        }
+    }
+
+    private void copyTangents(float[] meshTangents, Transform toLevel, int firstVertex) {
+        if (tangents == null) {
+            tangents = new float[positions.length];
+        }
+        double[] d = new double[3];
+        for (int i = 0; i < meshTangents.length; i += 3) {
+            toLevel.applyVector(meshTangents[i], meshTangents[i + 1], meshTangents[i + 2], d);
+            double length = Math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+            double scale = length == 0 ? 0 : 1 / length;
+            int at = 3 * firstVertex + i;
+            tangents[at] = (float) (d[0] * scale);
+            tangents[at + 1] = (float) (d[1] * scale);
+            tangents[at + 2] = (float) (d[2] * scale);
         }
     }
 
@@ -211,6 +229,9 @@ final class LevelBuilder {
             }
             if (colors != null) {
                 colors = Arrays.copyOf(colors, 3 * capacity);
+            }
+            if (tangents != null) {
+                tangents = Arrays.copyOf(tangents, 3 * capacity);
             }
         }
         if (corners > triangles.length) {

@@ -5,6 +5,7 @@ import org.daybreak.core.accel.Instance;
 import org.daybreak.core.accel.PrimitiveSet;
 import org.daybreak.core.accel.Quadric;
 import org.daybreak.core.geometry.SurfacePoint;
+import org.daybreak.core.material.TangentFrame;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -21,7 +22,7 @@ final class LevelGeometry {
     private final @Nullable VertexAttributes attributes;
     private final int[] firstTriangle;
     private final int[] shapeOfRun;
-    private final boolean @Nullable [] tangentsOfRun;
+    private final TangentFrame @Nullable [] frameOfRun;
     private final Quadric[] quadrics;
     private final QuadricShape[] quadricShapes;
 
@@ -43,7 +44,7 @@ final class LevelGeometry {
      * @param attributes what few scenes have; null if no mesh has any
      * @param firstTriangle first triangle of each mesh, ascending
      * @param shapeOfRun shape of each mesh
-     * @param tangentsOfRun whether each mesh needs frames along its texture coordinates; null if none does
+     * @param frameOfRun what the shading frames of each mesh must lie along; null if they are arbitrary everywhere
      */
     LevelGeometry(
             float[] positions,
@@ -53,7 +54,7 @@ final class LevelGeometry {
             @Nullable VertexAttributes attributes,
             int[] firstTriangle,
             int[] shapeOfRun,
-            boolean @Nullable [] tangentsOfRun,
+            TangentFrame @Nullable [] frameOfRun,
             Quadric[] quadrics,
             QuadricShape[] quadricShapes) {
         this.positions = positions;
@@ -63,7 +64,7 @@ final class LevelGeometry {
         this.attributes = attributes;
         this.firstTriangle = firstTriangle;
         this.shapeOfRun = shapeOfRun;
-        this.tangentsOfRun = tangentsOfRun;
+        this.frameOfRun = frameOfRun;
         this.quadrics = quadrics;
         this.quadricShapes = quadricShapes;
     }
@@ -123,12 +124,34 @@ final class LevelGeometry {
             more.set(a, b, c, u, v, w, hit);
         }
         setTriangleFrame(a, b, c, u, v, w, instance, hit);
-        if (tangentsOfRun != null && tangentsOfRun[run]) {
-            if (st != null) {
-                Tangents.ofTriangle(positions, st, a, b, c, instance, hit);
-            } else {
-                hit.alignFrame(0, 0, 0, 0, 0, 0);
-            }
+        TangentFrame[] frames = frameOfRun;
+        if (frames != null && frames[run] != TangentFrame.ARBITRARY) {
+            alignFrame(frames[run], a, b, c, u, v, w, instance, hit);
+        }
+    }
+
+    /** Turns the frame along the texture coordinates, and from there along the tangents of the vertices where there are some. */
+    private void alignFrame(
+            TangentFrame frame,
+            int a,
+            int b,
+            int c,
+            double u,
+            double v,
+            double w,
+            @Nullable Instance instance,
+            SurfacePoint hit) {
+        VertexAttributes more = attributes;
+        float[] second = more == null ? null : more.secondUvs();
+        float[] st = frame == TangentFrame.SECOND_UVS && second != null ? second : uvs;
+        if (st != null) {
+            Tangents.ofTriangle(positions, st, a, b, c, instance, hit);
+        } else {
+            hit.alignFrame(0, 0, 0, 0, 0, 0);
+        }
+        float[] tangents = more == null ? null : more.tangents();
+        if (tangents != null) {
+            Tangents.turnToVertices(tangents, a, b, c, u, v, w, instance, hit);
         }
     }
 
@@ -170,7 +193,7 @@ final class LevelGeometry {
             hit.gz = -hit.gz;
         }
         setFrame(hit, hit.gx, hit.gy, hit.gz);
-        if (shape.needs().tangents()) {
+        if (shape.needs().frame() != TangentFrame.ARBITRARY) {
             Tangents.ofQuadric(quadrics[index], shape.reversed(), refined, instance, hit);
         }
         if (!shape.needs().textured()) {

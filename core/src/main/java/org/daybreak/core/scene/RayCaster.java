@@ -105,6 +105,15 @@ public final class RayCaster {
         return counts[kind.ordinal()];
     }
 
+    /** Number of rays of all kinds cast so far. */
+    public long total() {
+        long sum = 0;
+        for (long count : counts) {
+            sum += count;
+        }
+        return sum;
+    }
+
     private double between(double ox, double oy, double oz, double dx, double dy, double dz, double end) {
         counts[RayKind.SHADOW.ordinal()]++;
         ray.set(ox, oy, oz, dx, dy, dz, end);

@@ -1,10 +1,12 @@
 package org.daybreak.core.scene;
 
+import java.util.List;
 import org.daybreak.core.accel.HitRefinement;
 import org.daybreak.core.accel.Intersector;
 import org.daybreak.core.accel.Ray;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.film.FilmSettings;
+import org.daybreak.core.geometry.BoundingSphere;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.light.Light;
 import org.daybreak.core.light.LightSelection;
@@ -26,6 +28,7 @@ public final class Scene {
     private final Camera camera;
     private final FilmSettings film;
     private final Bounds bounds;
+    private final List<BoundingSphere> deltaSpheres;
     private final boolean maybeTransparent;
     /** Shapes that rays may find a hole in: not lights, whose light does not depend on the material. */
     private final boolean[] mayHaveHoles;
@@ -39,7 +42,8 @@ public final class Scene {
             LightSelection lightSelection,
             Camera camera,
             FilmSettings film,
-            Bounds bounds) {
+            Bounds bounds,
+            List<BoundingSphere> deltaSpheres) {
         this.intersector = intersector;
         this.surfaces = surfaces;
         this.bsdfs = bsdfs;
@@ -52,6 +56,7 @@ public final class Scene {
         this.camera = camera;
         this.film = film;
         this.bounds = bounds;
+        this.deltaSpheres = deltaSpheres;
         boolean transparent = false;
         mayHaveHoles = new boolean[bsdfs.length];
         for (int i = 0; i < bsdfs.length; i++) {
@@ -130,6 +135,19 @@ public final class Scene {
     /** Bounds of all geometry; empty bounds if there is none. */
     public Bounds bounds() {
         return bounds;
+    }
+
+    /**
+     * A few spheres that hold all geometry of ideal mirrors and glass: where light is thrown that only a path from the light finds
+     * well.
+     */
+    public List<BoundingSphere> deltaSpheres() {
+        return deltaSpheres;
+    }
+
+    /** True for materials that scatter in delta lobes alone, other than straight on. */
+    static boolean isDelta(Bsdf bsdf) {
+        return !bsdf.connectable() && !bsdf.maybeTransparent();
     }
 
     /** True if there is nothing at a point of a shape: light passes straight through all of it, and none is emitted. */

@@ -10,6 +10,7 @@ import org.daybreak.core.accel.Intersectors;
 import org.daybreak.core.accel.PrimitiveSet;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.film.FilmSettings;
+import org.daybreak.core.geometry.BoundingSphere;
 import org.daybreak.core.geometry.Shape;
 import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.core.light.AreaLight;
@@ -70,6 +71,7 @@ public final class SceneCompiler {
         LevelBuilder builder = new LevelBuilder();
         List<Light> lights = new ArrayList<>();
         List<Integer> lightOfShape = new ArrayList<>();
+        DeltaSpheres deltaSpheres = new DeltaSpheres();
         for (FlatScene.PlacedShape shape : flat.shapes) {
             ShapeNode node = shape.node();
             int index = bsdfs.size();
@@ -79,6 +81,9 @@ public final class SceneCompiler {
             ShadingNeeds needs = ShadingNeeds.of(node.material(), radiance);
             int firstPrimitive = builder.triangleCount();
             builder.add(index, geometry, shape.toLevel(), node.flipNormals(), needs);
+            if (Scene.isDelta(node.material())) {
+                deltaSpheres.add(BoundingSphere.of(geometry, shape.toLevel()));
+            }
             if (radiance == null) {
                 lightOfShape.add(-1);
             } else {
@@ -88,7 +93,7 @@ public final class SceneCompiler {
             }
         }
         LevelGeometry geometry = builder.build();
-        Levels levels = buildPrototypes(flat, provider, options.threads(), bsdfs);
+        Levels levels = buildPrototypes(flat, provider, options.threads(), bsdfs, deltaSpheres);
         PrimitiveSet world = geometry.primitives(levels.instances);
         Intersector intersector = provider.build(world, options.threads());
         while (lightOfShape.size() < bsdfs.size()) {
@@ -109,19 +114,22 @@ public final class SceneCompiler {
                 LightSelections.forLights(lights),
                 camera,
                 film,
-                bounds);
+                bounds,
+                deltaSpheres.build());
     }
 
     /** Instances of the top level, and for each what it places. */
     private record Levels(Instance[] instances, LevelGeometry[] geometries, PrimitiveSet[] sets) {}
 
-    private static Levels buildPrototypes(FlatScene flat, IntersectorProvider provider, int threads, List<Bsdf> bsdfs) {
+    private static Levels buildPrototypes(
+            FlatScene flat, IntersectorProvider provider, int threads, List<Bsdf> bsdfs, DeltaSpheres deltaSpheres) {
         IdentityHashMap<FlatScene.Prototype, BuiltLevel> built = new IdentityHashMap<>();
         for (FlatScene.Prototype prototype : flat.usedPrototypes()) {
             LevelBuilder builder = new LevelBuilder();
             // A level may hold many copies of a node.
             IdentityHashMap<ShapeNode, Integer> indices = new IdentityHashMap<>();
             IdentityHashMap<Shape, Shape> wound = new IdentityHashMap<>();
+            boolean delta = false;
             for (FlatScene.PlacedShape shape : prototype.shapes) {
                 ShapeNode node = shape.node();
                 Integer index = indices.get(node);
@@ -129,6 +137,7 @@ public final class SceneCompiler {
                     index = bsdfs.size();
                     indices.put(node, index);
                     bsdfs.add(node.material());
+                    delta |= Scene.isDelta(node.material());
                 }
                 builder.add(
                         index,
@@ -139,7 +148,7 @@ public final class SceneCompiler {
             }
             LevelGeometry geometry = builder.build();
             PrimitiveSet set = geometry.primitives(new Instance[0]);
-            built.put(prototype, new BuiltLevel(geometry, set, provider.build(set, threads)));
+            built.put(prototype, new BuiltLevel(geometry, set, provider.build(set, threads), delta));
         }
         int count = flat.instances.size();
         Instance[] instances = new Instance[count];
@@ -153,11 +162,15 @@ public final class SceneCompiler {
             instances[i] = new Instance(toWorld.rows(), toWorld.inverse().rows(), level.intersector);
             geometries[i] = level.geometry;
             sets[i] = level.set;
+            Bounds bounds = level.delta ? boundsOf(level.intersector) : Bounds.EMPTY;
+            if (!bounds.isEmpty()) {
+                deltaSpheres.add(BoundingSphere.of(bounds, toWorld));
+            }
         }
         return new Levels(instances, geometries, sets);
     }
 
-    private record BuiltLevel(LevelGeometry geometry, PrimitiveSet set, Intersector intersector) {}
+    private record BuiltLevel(LevelGeometry geometry, PrimitiveSet set, Intersector intersector, boolean delta) {}
 
     private static Bounds boundsOf(Intersector intersector) {
         float[] b = new float[6];

@@ -1,6 +1,7 @@
 package org.daybreak.core.scene;
 
 import org.daybreak.core.material.Bsdf;
+import org.daybreak.core.material.TangentFrame;
 import org.daybreak.core.material.Texture;
 import org.jspecify.annotations.Nullable;
 
@@ -8,12 +9,12 @@ import org.jspecify.annotations.Nullable;
  * What the points of a shape must offer beyond position and normal.
  *
  * @param textured texture coordinates, which cost arc functions on quadrics
- * @param tangents a shading frame along the texture coordinates
+ * @param frame what the shading frame must lie along
  */
-record ShadingNeeds(boolean textured, boolean tangents) {
+record ShadingNeeds(boolean textured, TangentFrame frame) {
     /** What a material and the light it may stand on need. */
     static ShadingNeeds of(Bsdf material, @Nullable Texture radiance) {
         boolean textured = material.textured() || (radiance != null && !radiance.isConstant());
-        return new ShadingNeeds(textured, material.needsTangents());
+        return new ShadingNeeds(textured, material.tangentFrame());
     }
 }

@@ -42,6 +42,36 @@ final class Tangents {
                 hit);
     }
 
+    /**
+     * Turns the frame of a point on a triangle along the interpolated tangents of its vertices; zero vectors leave it.
+     *
+     * @param tangents directions of the vertices of the level
+     * @param u weight of vertex a
+     * @param instance the instance that the triangle is seen in, or null
+     */
+    static void turnToVertices(
+            float[] tangents,
+            int a,
+            int b,
+            int c,
+            double u,
+            double v,
+            double w,
+            @Nullable Instance instance,
+            SurfacePoint hit) {
+        double x = u * tangents[3 * a] + v * tangents[3 * b] + w * tangents[3 * c];
+        double y = u * tangents[3 * a + 1] + v * tangents[3 * b + 1] + w * tangents[3 * c + 1];
+        double z = u * tangents[3 * a + 2] + v * tangents[3 * b + 2] + w * tangents[3 * c + 2];
+        if (instance == null) {
+            hit.turnFrame(x, y, z);
+            return;
+        }
+        hit.turnFrame(
+                instance.objectToWorld(0) * x + instance.objectToWorld(1) * y + instance.objectToWorld(2) * z,
+                instance.objectToWorld(4) * x + instance.objectToWorld(5) * y + instance.objectToWorld(6) * z,
+                instance.objectToWorld(8) * x + instance.objectToWorld(9) * y + instance.objectToWorld(10) * z);
+    }
+
     /** Aligns the frame of a point on a quadric, from its place in the quadric's own space. */
     static void ofQuadric(
             Quadric q, boolean reversed, HitRefinement refined, @Nullable Instance instance, SurfacePoint hit) {

@@ -8,9 +8,10 @@ import org.jspecify.annotations.Nullable;
  *
  * @param secondUvs second texture coordinates, or null if no mesh has any
  * @param colors linear RGB, or null if no mesh has any
+ * @param tangents directions that shading frames lie along, zero vectors where a mesh has none; null if no mesh has any
  */
 @SuppressWarnings("ArrayRecordComponent") // Never compared.
-record VertexAttributes(float @Nullable [] secondUvs, float @Nullable [] colors) {
+record VertexAttributes(float @Nullable [] secondUvs, float @Nullable [] colors, float @Nullable [] tangents) {
     /** Interpolates between the vertices a, b, c with the weights u, v, w. The point's first coordinates are set. */
     void set(int a, int b, int c, double u, double v, double w, SurfacePoint hit) {
         hit.setNoAttributes();

@@ -11,9 +11,7 @@ import org.daybreak.core.math.Transform;
 import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.StreamDomain;
 import org.daybreak.core.testing.ChiSquareTest;
-import org.daybreak.core.testing.Moments;
 import org.daybreak.core.testing.Significance;
-import org.daybreak.core.testing.ZTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -22,75 +20,18 @@ class PerspectiveCameraTest {
     /** False-alarm rate of each kind of test here, over all its cases. */
     private static final double SIGNIFICANCE = 1e-4;
 
-    private static final Transform PLACE = Transform.lookAt(1, 2, 3, -1, 1.5, 0.5, 0.1, 1, 0);
+    private static final Transform PLACE = CameraTest.PLACE;
 
-    record Case(String name, PerspectiveCamera camera) {
-        @Override
-        public String toString() {
-            return name;
-        }
-    }
-
-    static List<Case> cases() {
-        Transform shear = Transform.ofRows(1.1, 0.5, 0.2, 0.1, -0.3, 0.8, 0.4, 0.2, 0.1, -0.2, 0.6, -0.4);
-        return List.of(
-                new Case("pinhole", new PerspectiveCamera(PLACE, 0.6, 40, 25, 0, 0)),
-                new Case("wide pinhole", new PerspectiveCamera(PLACE, 3, 30, 40, 0, 0)),
-                new Case("lens", new PerspectiveCamera(PLACE, 0.6, 40, 25, 0.3, 2)),
-                new Case(
-                        "mirrored and scaled lens",
-                        new PerspectiveCamera(PLACE.multiply(Transform.scale(-5, 5, 5)), 1.2, 30, 40, 0.5, 1.5)),
-                new Case("shifted film", new PerspectiveCamera(PLACE, 0.6, 0.4, 40, 25, 0, 0, 0.3, -0.2)),
-                new Case("flat pixels", new PerspectiveCamera(PLACE, 0.6, 0.2, 40, 25, 0.3, 2, -0.1, 0.2)),
-                new Case("sheared pinhole", new PerspectiveCamera(shear, 0.8, 40, 25, 0, 0)),
-                new Case("sheared lens", new PerspectiveCamera(shear, 0.8, 40, 25, 0.3, 2)));
+    private static List<CameraTest.Case> cases() {
+        return CameraTest.cases().stream()
+                .filter(c -> c.camera() instanceof PerspectiveCamera)
+                .toList();
     }
 
     @ParameterizedTest
     @MethodSource("cases")
-    void filmPositionsAreFoundAgain(Case c) {
-        PerspectiveCamera camera = c.camera();
-        RandomStream random = new RandomStream(1, StreamDomain.SELF_CHECK, 0, 0);
-        CameraRay ray = new CameraRay();
-        CameraRay again = new CameraRay();
-        LensSample lens = new LensSample();
-        for (int i = 0; i < 5000; i++) {
-            double filmX = camera.width() * random.nextDouble();
-            double filmY = camera.height() * random.nextDouble();
-            double u = random.nextDouble();
-            double v = random.nextDouble();
-            assertTrue(camera.sampleRay(filmX, filmY, u, v, ray));
-            assertEquals(1, Math.sqrt(ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz), 1e-14);
-            assertEquals(1, ray.weight);
-            assertTrue(camera.rayDensity(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, again));
-            assertEquals(ray.densityPosition, again.densityPosition, 1e-12 * ray.densityPosition);
-            assertEquals(ray.densityDirection, again.densityDirection, 1e-11 * ray.densityDirection);
-            double distance = 0.1 + 10 * random.nextDouble();
-            double px = ray.ox + distance * ray.dx;
-            double py = ray.oy + distance * ray.dy;
-            double pz = ray.oz + distance * ray.dz;
-            assertTrue(camera.sampleLens(px, py, pz, u, v, lens));
-            assertEquals(filmX, lens.filmX, 1e-9);
-            assertEquals(filmY, lens.filmY, 1e-9);
-            assertEquals(distance, lens.distance, 1e-12 * distance);
-            assertEquals(-ray.dx, lens.wiX, 1e-12);
-            assertEquals(ray.ox, lens.point.x, 1e-12);
-            assertEquals(!camera.hasLensArea(), lens.delta);
-            // The importance is the ray density times the number of pixels; the lens density is measured over the view.
-            double filmPerSolidAngle = ray.densityDirection * camera.width() * camera.height();
-            double weight = filmPerSolidAngle / (distance * distance);
-            assertEquals(weight, lens.weight, 1e-10 * weight);
-            double cosine = lens.point.geometricCosine(ray.dx, ray.dy, ray.dz);
-            assertTrue(cosine > 0);
-            double density = lens.delta ? 1 : ray.densityPosition * distance * distance / cosine;
-            assertEquals(density, lens.density, 1e-10 * density);
-        }
-    }
-
-    @ParameterizedTest
-    @MethodSource("cases")
-    void directionsFollowTheirDensity(Case c) {
-        PerspectiveCamera camera = c.camera();
+    void directionsFollowTheirDensity(CameraTest.Case c) {
+        Camera camera = c.camera();
         CameraRay ray = new CameraRay();
         camera.sampleRay(1, 1, 0.3, 0.8, ray);
         double ox = ray.ox;
@@ -110,56 +51,6 @@ class PerspectiveCameraTest {
                 .samples(50_000)
                 .depth(5, 7)
                 .assertAgrees(Significance.sidak(SIGNIFICANCE, cases().size()));
-    }
-
-    /** A pixel's light-traced value of a bright distant patch is its path-traced one: both measure mean radiance. */
-    @ParameterizedTest
-    @MethodSource("cases")
-    void bothDirectionsMeasureTheSame(Case c) {
-        PerspectiveCamera camera = c.camera();
-        RandomStream random = new RandomStream(2, StreamDomain.SELF_CHECK, 0, 0);
-        CameraRay ray = new CameraRay();
-        LensSample lens = new LensSample();
-        // A sphere of unit radiance in front of the camera, over the whole film.
-        camera.sampleRay(0.6 * camera.width(), 0.45 * camera.height(), 0.5, 0.5, ray);
-        double cx = ray.ox + 4 * ray.dx;
-        double cy = ray.oy + 4 * ray.dy;
-        double cz = ray.oz + 4 * ray.dz;
-        double radius = 0.7;
-        Moments fromEye = new Moments();
-        Moments fromLight = new Moments();
-        for (int i = 0; i < 40_000; i++) {
-            camera.sampleRay(
-                    camera.width() * random.nextDouble(),
-                    camera.height() * random.nextDouble(),
-                    random.nextDouble(),
-                    random.nextDouble(),
-                    ray);
-            double dx = cx - ray.ox;
-            double dy = cy - ray.oy;
-            double dz = cz - ray.oz;
-            double along = dx * ray.dx + dy * ray.dy + dz * ray.dz;
-            boolean hit = along > 0 && dx * dx + dy * dy + dz * dz - along * along < radius * radius;
-            fromEye.add(hit ? (double) camera.width() * camera.height() : 0);
-            double nz = 2 * random.nextDouble() - 1;
-            double phi = 2 * Math.PI * random.nextDouble();
-            double nx = Math.sqrt(1 - nz * nz) * Math.cos(phi);
-            double ny = Math.sqrt(1 - nz * nz) * Math.sin(phi);
-            double splat = 0;
-            if (camera.sampleLens(
-                    cx + radius * nx,
-                    cy + radius * ny,
-                    cz + radius * nz,
-                    random.nextDouble(),
-                    random.nextDouble(),
-                    lens)) {
-                double cosine = nx * lens.wiX + ny * lens.wiY + nz * lens.wiZ;
-                splat = Math.max(0, cosine) * lens.weight * 4 * Math.PI * radius * radius;
-            }
-            fromLight.add(splat);
-        }
-        ZTest.assertNotRejected(
-                c.name(), ZTest.twoSample(fromEye, fromLight), Significance.sidak(SIGNIFICANCE, cases().size()));
     }
 
     @Test
@@ -258,7 +149,7 @@ class PerspectiveCameraTest {
     @Test
     void samplingAllocatesNothing() {
         com.sun.management.ThreadMXBean threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
-        PerspectiveCamera camera = cases().get(2).camera();
+        Camera camera = new PerspectiveCamera(PLACE, 0.6, 40, 25, 0.3, 2);
         CameraRay ray = new CameraRay();
         LensSample lens = new LensSample();
         long before = 0;

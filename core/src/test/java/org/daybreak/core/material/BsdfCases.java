@@ -26,7 +26,7 @@ final class BsdfCases {
         point.gz = 1;
         point.u = 0.3;
         point.v = 0.8;
-        point.uLength = 1.5;
+        point.uAlongS = 1.5;
         point.vAlongS = 0.25;
         point.vAlongT = -0.8;
         return point;

@@ -74,7 +74,7 @@ class CombinedTexturesTest {
         point.gz = 1;
         point.sx = 1;
         point.ty = 1;
-        point.uLength = 1;
+        point.uAlongS = 1;
         Bsdf diffuse = new Diffuse(ConstantTexture.grey(0.8));
         for (double vAlongT : new double[] {-1, 1}) {
             point.vAlongT = vAlongT;
@@ -85,6 +85,32 @@ class CombinedTexturesTest {
             assertEquals(vAlongT < 0 ? left : right, value(against, 0.3), 1e-12);
             assertEquals(value(diffuse, 0.3), value(new NormalMap(tilted, 0, true, diffuse, false), 0.3), 1e-12);
         }
+    }
+
+    /** The slope of a bump map over the surface is the same in whatever way the frame lies. */
+    @Test
+    void bumpsDoNotTurnWithTheFrame() {
+        BumpMap bump = new BumpMap(
+                new BitmapTexture(FOUR, Filter.BILINEAR, Wrap.CLAMP, IDENTITY),
+                0.3,
+                new Diffuse(ConstantTexture.grey(0.8)),
+                false);
+        point.u = 0.4;
+        point.v = 0.6;
+        point.nz = 1;
+        point.sx = 1;
+        point.ty = 1;
+        point.uAlongS = 2;
+        point.vAlongS = 0.5;
+        point.vAlongT = -3;
+        double x = bump.slopeS(point);
+        double y = bump.slopeT(point);
+        // ∂h/∂u = 0.3·0.2, ∂h/∂v = 0.3·0.4.
+        assertEquals(0.06, 2 * x, 1e-7);
+        assertEquals(0.12, 0.5 * x - 3 * y, 1e-7);
+        point.turnFrame(-0.3, 0.7, 4);
+        assertEquals(x, bump.slopeS(point) * point.sx + bump.slopeT(point) * point.tx, 1e-12);
+        assertEquals(y, bump.slopeS(point) * point.sy + bump.slopeT(point) * point.ty, 1e-12);
     }
 
     private double value(Bsdf bsdf, double y) {

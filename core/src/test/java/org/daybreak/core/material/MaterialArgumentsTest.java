@@ -69,6 +69,28 @@ class MaterialArgumentsTest {
     }
 
     @Test
+    void oneMaterialHasOneFrame() {
+        Bsdf diffuse = new Diffuse(WHITE);
+        Bsdf first = new NormalMap(map(false), diffuse, false);
+        Bsdf second = new BumpMap(map(true), 1, diffuse, false);
+        assertEquals(TangentFrame.FIRST_UVS, first.tangentFrame());
+        assertEquals(TangentFrame.SECOND_UVS, new Blend(ConstantTexture.grey(0.5), second, diffuse).tangentFrame());
+        assertMessage("over the first and over the second", () -> new TwoSided(first, second));
+        assertMessage("over the first and over the second", () -> new Blend(WHITE, second, first));
+        assertMessage("over the first and over the second", () -> new NormalMap(map(true), first, false));
+    }
+
+    private static Texture map(boolean secondUvs) {
+        return new BitmapTexture(
+                TextureImage.fromFloats(1, 1, 1, new float[] {0.5f}),
+                BitmapTexture.Filter.BILINEAR,
+                BitmapTexture.Wrap.REPEAT,
+                BitmapTexture.Wrap.REPEAT,
+                new double[] {1, 0, 0, 0, 1, 0},
+                secondUvs);
+    }
+
+    @Test
     void twoSidedShowsEachMaterialOnItsSide() {
         Bsdf bsdf = new TwoSided(new Diffuse(ConstantTexture.grey(0.2)), new Diffuse(ConstantTexture.grey(0.7)));
         SurfacePoint point = BsdfCases.point();

@@ -17,15 +17,20 @@ import org.daybreak.core.geometry.Shape;
 import org.daybreak.core.geometry.Sphere;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.geometry.TriangleMesh;
+import org.daybreak.core.material.BitmapTexture;
 import org.daybreak.core.material.Bsdf;
 import org.daybreak.core.material.CheckerboardTexture;
 import org.daybreak.core.material.ConstantTexture;
 import org.daybreak.core.material.Diffuse;
 import org.daybreak.core.material.Mask;
 import org.daybreak.core.material.Microfacet;
+import org.daybreak.core.material.NormalMap;
 import org.daybreak.core.material.NullBsdf;
 import org.daybreak.core.material.RoughConductor;
 import org.daybreak.core.material.Roughness;
+import org.daybreak.core.material.Texture;
+import org.daybreak.core.material.TextureImage;
+import org.daybreak.core.material.TwoSided;
 import org.daybreak.core.math.Transform;
 import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.StreamDomain;
@@ -115,7 +120,7 @@ class ShadingDataTest {
             assertEquals(1, hit.sx * hit.sx + hit.sy * hit.sy + hit.sz * hit.sz, 1e-12, where);
             assertEquals(0, hit.localZ(hit.sx, hit.sy, hit.sz), 1e-12, where);
             assertEquals(hit.ny * hit.sz - hit.nz * hit.sy, hit.tx, 1e-12, where);
-            assertTrue(hit.uLength > 0, where);
+            assertTrue(hit.uAlongS > 0, where);
             // Coordinates that change faster than by 10 per unit are near a pole, where differences are not
             // derivatives.
             double h = 1e-5;
@@ -139,7 +144,7 @@ class ShadingDataTest {
                 double dz = near.z - hit.z;
                 double du = near.u - hit.u;
                 double dv = near.v - hit.v;
-                double s = hit.uLength * du + hit.vAlongS * dv;
+                double s = hit.uAlongS * du + hit.vAlongS * dv;
                 double t = hit.vAlongT * dv;
                 // Second order, and the bending of the frame.
                 assertEquals(hit.localX(dx, dy, dz), s, 2e-3 * h, where);
@@ -150,14 +155,105 @@ class ShadingDataTest {
         assertTrue(checked > 60, where + ": " + checked);
     }
 
+    /** A square whose second coordinates are turned by 90° against the first: ∂p/∂u is x there and y here. */
+    private static TriangleMesh square() {
+        return new TriangleMesh(
+                        new float[] {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0},
+                        new int[] {0, 1, 2, 2, 3, 0},
+                        null,
+                        new float[] {0, 0, 2, 0, 2, 2, 0, 2})
+                .withAttributes(new float[] {0, 1, 0, 0, 1, 0, 1, 1}, null);
+    }
+
+    private static Bsdf mapped(boolean secondUvs) {
+        TextureImage image = TextureImage.fromFloats(1, 1, 3, new float[] {0.6f, 0.5f, 0.9f});
+        Texture map = new BitmapTexture(
+                image,
+                BitmapTexture.Filter.NEAREST,
+                BitmapTexture.Wrap.REPEAT,
+                BitmapTexture.Wrap.REPEAT,
+                IDENTITY,
+                secondUvs);
+        return new NormalMap(map, new Diffuse(ConstantTexture.grey(0.5)), false);
+    }
+
+    /** Frames lie along the coordinates that the normal map is on; anisotropic materials below it take those as well. */
+    @Test
+    void framesFollowTheCoordinatesOfTheMap() {
+        TriangleMesh mesh = square();
+        for (boolean second : new boolean[] {false, true}) {
+            for (Bsdf material : new Bsdf[] {mapped(second), new TwoSided(brushed(), mapped(second))}) {
+                RayCaster caster = new RayCaster(scene(new ShapeNode(mesh, material)));
+                assertTrue(caster.trace(0.3, -0.2, 1, 0, 0, -1, RayKind.CAMERA, hit));
+                assertEquals(second ? 0 : 1, hit.sx, 1e-6);
+                assertEquals(second ? 1 : 0, hit.sy, 1e-6);
+                assertEquals(second ? 2 : 1, hit.uAlongS, 1e-6);
+                assertEquals(second ? 4 : 1, hit.uvArea(), 1e-6);
+            }
+        }
+        RayCaster caster =
+                new RayCaster(scene(new ShapeNode(mesh.withAttributes(null, null), mapped(true)), farMeshWithSecond()));
+        assertTrue(caster.trace(0.3, -0.2, 1, 0, 0, -1, RayKind.CAMERA, hit));
+        assertEquals(1, hit.sx, 1e-6);
+    }
+
+    private static Node farMeshWithSecond() {
+        ShapeNode far = new ShapeNode(square(), mapped(true));
+        far.setTransform(Transform.translate(0, 0, -9).toMatrix4d());
+        return far;
+    }
+
+    /** Tangents of vertices turn the frame, and the derivatives in it stay those of the texture coordinates. */
+    @Test
+    void framesFollowTheTangentsOfVertices() {
+        float[] tangents = {1, 0, 0, 1, 1, 0, 0, 2, 5, 1, 0, 0};
+        for (boolean instanced : new boolean[] {false, true}) {
+            for (int mirror : new int[] {1, -1}) {
+                SurfacePoint plain = new SurfacePoint();
+                trace(new ShapeNode(square(), mapped(false)), instanced, mirror, plain);
+                trace(new ShapeNode(square().withTangents(tangents), mapped(false)), instanced, mirror, hit);
+                // At (0.5, 0): a quarter of vertex 0, a quarter of vertex 1 and half of vertex 2, all of unit length;
+                // without
+                // the part along z.
+                double diagonal = 0.25 / Math.sqrt(2);
+                Vector3d expected = new Vector3d(mirror * (0.25 + diagonal), diagonal + 1 / Math.sqrt(29), 0);
+                expected.normalize();
+                assertEquals(expected.x, hit.sx, 1e-6);
+                assertEquals(expected.y, hit.sy, 1e-6);
+                assertEquals(1, hit.localX(hit.sx, hit.sy, hit.sz), 1e-12);
+                assertEquals(hit.ny * hit.sz - hit.nz * hit.sy, hit.tx, 1e-12);
+                assertEquals(plain.uvArea(), hit.uvArea(), 1e-6);
+                assertEquals(plain.uAlongS * plain.sx, hit.uAlongS * hit.sx + hit.uAlongT * hit.tx, 1e-6);
+                assertEquals(plain.uAlongS * plain.sy, hit.uAlongS * hit.sy + hit.uAlongT * hit.ty, 1e-6);
+                assertEquals(
+                        plain.vAlongS * plain.sy + plain.vAlongT * plain.ty,
+                        hit.vAlongS * hit.sy + hit.vAlongT * hit.ty,
+                        1e-6);
+            }
+        }
+    }
+
+    private void trace(ShapeNode node, boolean instanced, int mirror, SurfacePoint into) {
+        Node top = node;
+        if (instanced) {
+            Group group = new Group();
+            group.add(node);
+            top = new Instance(group);
+        }
+        top.setTransform(Transform.scale(mirror, 1, 1).toMatrix4d());
+        // A second mesh without tangents shares the level.
+        RayCaster caster = new RayCaster(scene(farMeshWithSecond(), top));
+        assertTrue(caster.trace(0.5 * mirror, 0, 1, 0, 0, -1, RayKind.CAMERA, into));
+    }
+
     @Test
     void withoutTextureCoordinatesDerivativesAreZero() {
         TriangleMesh mesh =
                 new TriangleMesh(new float[] {-1, -1, 0, 1, -1, 0, 1, 1, 0}, new int[] {0, 1, 2}, null, null);
         RayCaster caster = new RayCaster(scene(new ShapeNode(mesh, brushed())));
-        hit.uLength = 5;
+        hit.uAlongS = 5;
         assertTrue(caster.trace(0.5, 0, 1, 0, 0, -1, RayKind.CAMERA, hit));
-        assertEquals(0, hit.uLength);
+        assertEquals(0, hit.uAlongS);
         assertEquals(1, hit.sx * hit.sx + hit.sy * hit.sy + hit.sz * hit.sz, 1e-12);
     }
 

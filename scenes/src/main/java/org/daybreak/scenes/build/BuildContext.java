@@ -1,5 +1,6 @@
 package org.daybreak.scenes.build;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -148,7 +149,7 @@ final class BuildContext {
             problem = found + " is a directory, not a file";
         } else if (!Files.isReadable(found)) {
             problem = "the file " + found + " cannot be read: permission denied";
-        } else if (found.toFile().length() == 0) {
+        } else if (isEmpty(found)) {
             problem = "the file " + found + " is empty";
         }
         if (problem != null) {
@@ -157,6 +158,15 @@ final class BuildContext {
         }
         files.add(found);
         return found;
+    }
+
+    /** What cannot be told is left to the reader of the file to report. */
+    private static boolean isEmpty(Path file) {
+        try {
+            return Files.size(file) == 0;
+        } catch (IOException e) {
+            return false;
+        }
     }
 
     /** The scene's main object. */

@@ -96,7 +96,7 @@ final class MeshBuilder {
         boolean faces = !type.endsWith("curve") && p.truth("face_normals");
         if (faces || flat.contains(mesh)) {
             TriangleMesh source = mesh;
-            return new Mesh(flattened.computeIfAbsent(source, m -> withNormals(m, null)), true);
+            return new Mesh(flattened.computeIfAbsent(source, m -> m.withNormals(null)), true);
         }
         if (mesh.normals() != null) {
             return new Mesh(mesh, false);
@@ -105,13 +105,9 @@ final class MeshBuilder {
         return new Mesh(
                 Affine.isSimilarity(toWorld)
                         ? smoothed.computeIfAbsent(
-                                mesh, m -> withNormals(m, VertexNormals.angleWeighted(m.positions(), m.triangles())))
-                        : withNormals(mesh, normalsThrough(mesh, toWorld)),
+                                mesh, m -> m.withNormals(VertexNormals.angleWeighted(m.positions(), m.triangles())))
+                        : mesh.withNormals(normalsThrough(mesh, toWorld)),
                 true);
-    }
-
-    private static TriangleMesh withNormals(TriangleMesh m, float @Nullable [] normals) {
-        return new TriangleMesh(m.positions(), m.triangles(), normals, m.uvs(), m.secondUvs(), m.colors());
     }
 
     /** Normals computed in world space, in the mesh's own coordinates: n = ±Mᵀ n_world, so that M⁻ᵀ brings them back. */

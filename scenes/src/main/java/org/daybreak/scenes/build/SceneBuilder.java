@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
+import java.util.function.Consumer;
 import org.daybreak.core.scene.SceneGraph;
 import org.daybreak.scenes.description.ObjectDescription;
 import org.daybreak.scenes.description.ObjectKind;
@@ -83,10 +84,17 @@ public final class SceneBuilder {
             context.warning(p.location("hide_emitters"), "'hide_emitters' has no effect: lights stay visible");
         }
         String type = p.object().type();
-        rendererId = type.equals("ptracer") ? "light" : "path";
+        rendererId = switch (type) {
+            case "ptracer" -> "light";
+            case "bdpt" -> "bidirectional";
+            default -> "path";
+        };
         if (type.equals("direct")) {
             parameters.put(RenderSettingsRequest.MAX_DEPTH, "2");
             return;
+        }
+        if (p.has("light_image")) {
+            parameters.put(RenderSettingsRequest.CAUSTIC_MAP, Boolean.toString(p.truth("light_image")));
         }
         if (p.has("max_depth")) {
             if (p.integer("max_depth") == 0) {
@@ -101,20 +109,38 @@ public final class SceneBuilder {
 
     /** Builds the first camera and checks the others. Returns the sampler's properties, if there are any. */
     private @Nullable Properties buildSensor(List<Properties.Child> sensors) {
-        Properties sampler = null;
         SensorBuilder builder = new SensorBuilder(context);
-        for (int i = 0; i < sensors.size(); i++) {
-            Properties.Child sensor = sensors.get(i);
-            Properties p = builder.build(sensor.object(), i == 0 ? graph : new SceneGraph());
-            Properties.Child child = p == null ? null : p.child(ObjectKind.SAMPLER);
-            Properties samplerProperties = child == null ? null : context.properties(child.object());
-            if (i == 0) {
-                sampler = samplerProperties;
-            } else {
-                context.warning(sensor.location(), "only the first camera of a scene is used");
+        int used = Math.min(1, sensors.size());
+        each(sensors.subList(0, used), sensor -> {
+            builder.build(sensor.object(), graph);
+            sampler(sensor);
+        });
+        each(sensors.subList(used, sensors.size()), sensor -> {
+            builder.build(sensor.object(), new SceneGraph());
+            sampler(sensor);
+            context.warning(sensor.location(), "only the first camera of a scene is used");
+        });
+        return sensors.isEmpty() ? null : sampler(sensors.get(0));
+    }
+
+    private @Nullable Properties sampler(Properties.Child sensor) {
+        Properties p = context.properties(sensor.object());
+        Properties.Child child = p == null ? null : p.child(ObjectKind.SAMPLER);
+        return child == null ? null : context.properties(child.object());
+    }
+
+    /**
+     * Builds objects one by one. Properties are checked when they are read, but values within their ranges may still combine
+     * to what the engine refuses: that too is an error of the file.
+     */
+    private void each(List<Properties.Child> children, Consumer<Properties.Child> build) {
+        for (Properties.Child child : children) {
+            try {
+                build.accept(child);
+            } catch (IllegalArgumentException e) {
+                context.error(child.location(), child.object().label() + ": " + e.getMessage());
             }
         }
-        return sampler;
     }
 
     /** Builds shapes, lights, and also materials and textures that nothing uses, so that their errors are found too. */
@@ -123,23 +149,17 @@ public final class SceneBuilder {
         BsdfBuilder bsdfs = new BsdfBuilder(context, textures);
         ShapeBuilder shapes = new ShapeBuilder(context, textures, bsdfs, meshes);
         LightBuilder lights = new LightBuilder(context, textures);
-        for (Properties.Child child : scene.children(ObjectKind.TEXTURE)) {
-            textures.texture(child.object(), child.location());
-        }
-        for (Properties.Child child : scene.children(ObjectKind.BSDF)) {
-            bsdfs.bsdf(child.object(), child.location());
-        }
-        for (Properties.Child child : scene.children(ObjectKind.EMITTER)) {
+        each(scene.children(ObjectKind.TEXTURE), child -> textures.texture(child.object(), child.location()));
+        each(scene.children(ObjectKind.BSDF), child -> bsdfs.bsdf(child.object(), child.location()));
+        each(scene.children(ObjectKind.EMITTER), child -> {
             // Shapes may refer to an area light that stands in the scene under a name.
             if (!child.object().type().equals("area") || child.object().id() == null) {
                 lights.addTo(graph.root(), child.object());
             } else {
                 context.properties(child.object());
             }
-        }
-        for (Properties.Child child : scene.children(ObjectKind.SHAPE)) {
-            shapes.addTo(graph.root(), child.object(), child.location());
-        }
+        });
+        each(scene.children(ObjectKind.SHAPE), child -> shapes.addTo(graph.root(), child.object(), child.location()));
         if (shapes.lights() == 0 && scene.children(ObjectKind.EMITTER).isEmpty() && !context.isModel()) {
             context.warning(scene.location(), "the scene has no light; the picture will be black");
         }

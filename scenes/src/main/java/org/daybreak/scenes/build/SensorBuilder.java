@@ -25,12 +25,11 @@ final class SensorBuilder {
         this.context = context;
     }
 
-    /** Builds a sensor into a scene. Returns its properties, null if its type is unknown. */
-    @Nullable
-    Properties build(ObjectDescription object, SceneGraph graph) {
+    /** Builds a sensor into a scene. */
+    void build(ObjectDescription object, SceneGraph graph) {
         Properties p = context.properties(object);
         if (p == null) {
-            return null;
+            return;
         }
         CameraSettings camera = camera(p);
         if (camera != null) {
@@ -40,7 +39,6 @@ final class SensorBuilder {
         if (film != null) {
             graph.setFilm(film);
         }
-        return p;
     }
 
     private @Nullable CameraSettings camera(Properties p) {

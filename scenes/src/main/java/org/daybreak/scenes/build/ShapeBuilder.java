@@ -133,10 +133,10 @@ final class ShapeBuilder {
     private @Nullable Node shape(Properties p) {
         Matrix4d toWorld = p.transform("to_world");
         boolean flip = p.truth("flip_normals");
-        Texture radiance = radiance(p);
-        Bsdf material = material(p);
-        Shape shape;
         try {
+            Texture radiance = radiance(p);
+            Bsdf material = material(p);
+            Shape shape;
             switch (p.object().type()) {
                 case "obj", "ply", "stl", "serialized", "bsplinecurve", "linearcurve", "heightfield" -> {
                     MeshBuilder.Mesh mesh = meshes.mesh(p, toWorld);
@@ -164,19 +164,19 @@ final class ShapeBuilder {
                     throw new IllegalStateException(
                             "no builder for " + p.object().label());
             }
+            if (shape instanceof TriangleMesh mesh) {
+                boolean frontByWinding = mesh.normals() == null && Affine.isMirroring(toWorld);
+                built.put(p.object(), new BuiltMesh(mesh, flip ^ frontByWinding));
+            }
+            ShapeNode node = new ShapeNode(shape, material);
+            node.setTransform(toWorld);
+            node.setFlipNormals(flip);
+            node.setRadiance(radiance);
+            return node;
         } catch (IllegalArgumentException e) {
             context.error(p.location(), p.object().label() + ": " + e.getMessage());
             return null;
         }
-        if (shape instanceof TriangleMesh mesh) {
-            boolean frontByWinding = mesh.normals() == null && Affine.isMirroring(toWorld);
-            built.put(p.object(), new BuiltMesh(mesh, flip ^ frontByWinding));
-        }
-        ShapeNode node = new ShapeNode(shape, material);
-        node.setTransform(toWorld);
-        node.setFlipNormals(flip);
-        node.setRadiance(radiance);
-        return node;
     }
 
     private @Nullable Texture radiance(Properties p) {

@@ -4,17 +4,25 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HashMap;
+import java.util.Collections;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /** The buffers of a document and the views into them. Each buffer is read once, when it is first asked for. */
 final class Buffers {
+    /** More than meshes have that many nodes show, each in another pose. */
+    private static final long MOST_ELEMENTS_PER_BYTE = 1024;
+
+    /** Four numbers for each of so many still fit an array. */
+    private static final long MOST_ELEMENTS = 1L << 28;
+
     private final Container container;
     private final IdentityHashMap<JsonValue, Slice> buffers = new IdentityHashMap<>();
     private final IdentityHashMap<JsonValue, GltfException> failures = new IdentityHashMap<>();
-    private final Map<Path, byte[]> files = new HashMap<>();
+    private final Map<Path, byte[]> files = new LinkedHashMap<>();
 
     Buffers(Container container) {
         this.container = container;
@@ -26,6 +34,23 @@ final class Buffers {
      * @param stride distance between elements in bytes; 0 if they are packed
      */
     record Slice(byte[] bytes, int offset, int length, int stride) {}
+
+    /** The files that buffers have been read from so far. */
+    Set<Path> files() {
+        return Collections.unmodifiableSet(files.keySet());
+    }
+
+    /**
+     * The number of corners, vertices or instances that may be decoded in all. Accessors need not take any bytes, and meshes
+     * may share them; yet a small file shall not ask for much memory or time.
+     */
+    long mostElements() {
+        long bytes = container.bytes().length;
+        for (byte[] file : files.values()) {
+            bytes += file.length;
+        }
+        return Math.min(MOST_ELEMENTS, MOST_ELEMENTS_PER_BYTE * bytes);
+    }
 
     /** The bytes of the buffer view that a value refers to. */
     Slice view(JsonValue reference) throws GltfException {

@@ -24,18 +24,20 @@ record Geometry(
         float @Nullable [] colors) {
     /** The mesh of the engine. */
     TriangleMesh toMesh() {
-        return new TriangleMesh(positions, triangles, normals, uv0, uv1, rgb());
+        return new TriangleMesh(positions, triangles, normals, uv0, uv1, triples(colors))
+                .withTangents(triples(tangents));
     }
 
-    private float @Nullable [] rgb() {
-        if (colors == null) {
+    /** The first three numbers of each four. */
+    private static float @Nullable [] triples(float @Nullable [] fours) {
+        if (fours == null) {
             return null;
         }
-        float[] rgb = new float[colors.length / 4 * 3];
-        for (int i = 0; i < rgb.length; i++) {
-            rgb[i] = colors[i / 3 * 4 + i % 3];
+        float[] out = new float[fours.length / 4 * 3];
+        for (int i = 0; i < out.length; i++) {
+            out[i] = fours[i / 3 * 4 + i % 3];
         }
-        return rgb;
+        return out;
     }
 
     /** True if a vertex is not opaque. */

@@ -44,8 +44,9 @@ public final class GltfReader {
                 if (problems.hasErrors()) {
                     return Optional.empty();
                 }
-                ObjectDescription root = new SceneWriter(container, report).scene();
-                return Optional.of(new SceneDescription(file, root, Map.of(), List.of(), List.of(file)));
+                SceneWriter writer = new SceneWriter(container, report);
+                ObjectDescription root = writer.scene();
+                return Optional.of(new SceneDescription(file, root, Map.of(), List.of(), writer.files()));
             } catch (GltfException e) {
                 report.error(e);
             }

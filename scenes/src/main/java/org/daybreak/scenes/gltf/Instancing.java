@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
 final class Instancing {
     static final String EXTENSION = "EXT_mesh_gpu_instancing";
 
-    /** Bounds the memory that a small file can ask for. */
+    /** Bounds the memory of the scene. */
     private static final int MOST_INSTANCES = 1 << 26;
 
     private static final Set<Accessor.Component> FLOATS = EnumSet.of(Accessor.Component.FLOAT);
@@ -45,8 +45,8 @@ final class Instancing {
             count = a == null ? count : a.count();
         }
         instances += Math.max(0, count);
-        if (instances > MOST_INSTANCES) {
-            throw attributes.error("make more than " + MOST_INSTANCES + " instances");
+        if (instances > Math.min(MOST_INSTANCES, buffers.mostElements())) {
+            throw attributes.error("make more instances than a file of this size may have");
         }
         List<Matrix4d> all = new ArrayList<>();
         for (int i = 0; i < count; i++) {

@@ -54,6 +54,7 @@ final class MaterialWriter {
                 texture(pbr, "baseColorTexture", Channel.SRGB),
                 vertexColor());
         if (extension("unlit") != null) {
+            warnIfBackIsDark();
             return new Materials.Look(masked(black(), factor[3]), area(baseColor));
         }
         double[] emissive = material.numbersBetween("emissiveFactor", 0, 1, 0, 0, 0);
@@ -65,10 +66,16 @@ final class MaterialWriter {
         ObjectDescription emitter = emissive[0] + emissive[1] + emissive[2] > 0
                 ? area(product(emissive, texture(material, "emissiveTexture", Channel.SRGB), null))
                 : null;
-        if (emitter != null && material.truth("doubleSided", false)) {
-            report.warning(material, "emits on the front of its surfaces only");
+        if (emitter != null) {
+            warnIfBackIsDark();
         }
         return new Materials.Look(masked(surface(baseColor), factor[3]), emitter);
+    }
+
+    private void warnIfBackIsDark() throws GltfException {
+        if (material.truth("doubleSided", false)) {
+            report.warning(material, "emits on the front of its surfaces only");
+        }
     }
 
     private @Nullable JsonValue extension(String name) throws GltfException {

@@ -14,12 +14,6 @@ import org.jspecify.annotations.Nullable;
  * kept, as several primitives often share long attribute arrays.
  */
 final class PrimitiveReader {
-    /**
-     * Most corners and vertices to decode for one file. A small file may ask for the same buffer over and over; with this it
-     * cannot keep the reader busy for long.
-     */
-    private static final long MOST_WORK = 1L << 30;
-
     private static final Set<Accessor.Component> INDICES = EnumSet.of(
             Accessor.Component.UNSIGNED_BYTE, Accessor.Component.UNSIGNED_SHORT, Accessor.Component.UNSIGNED_INT);
 
@@ -157,9 +151,9 @@ final class PrimitiveReader {
 
     private void charge(JsonValue primitive, long amount) throws GltfException {
         work += amount;
-        if (work > MOST_WORK) {
-            throw primitive.error("is one too many: the meshes of the file have more than " + MOST_WORK
-                    + " corners and vertices together");
+        if (work > buffers.mostElements()) {
+            throw primitive.error("is one too many: the meshes have more corners and vertices together than a file of"
+                    + " this size may have");
         }
     }
 

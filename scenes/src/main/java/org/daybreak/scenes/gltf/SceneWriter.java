@@ -1,5 +1,6 @@
 package org.daybreak.scenes.gltf;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.IdentityHashMap;
@@ -49,6 +50,13 @@ final class SceneWriter {
 
     /** A primitive that is ready to be placed. */
     private record Part(JsonValue primitive, TriangleMesh mesh, Materials.Look look) {}
+
+    /** The document's file and those that its buffers have been read from so far. */
+    List<Path> files() {
+        List<Path> files = new ArrayList<>(List.of(container.file()));
+        files.addAll(buffers.files());
+        return files;
+    }
 
     /** The scene. Errors in one mesh, camera or light do not keep those in others from being found. */
     ObjectDescription scene() {

@@ -13,13 +13,16 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Reads PLY files, ASCII and binary of both byte orders: positions, normals ({@code nx ny nz}), texture coordinates
- * ({@code u v}, {@code s t} or {@code texture_u texture_v}; second ones {@code u1 v1}) and colours ({@code red green blue}; whole numbers in sRGB,
- * others linear) of the vertices and the list {@code vertex_indices} (or
+ * ({@code u v}, {@code s t} or {@code texture_u texture_v}), second ones ({@code u1 v1}, {@code s1 t1} and others) and
+ * colours ({@code red green blue}; whole numbers in sRGB, others linear) of the vertices and the list {@code vertex_indices} (or
  * {@code vertex_index}) of the faces. Polygons are cut into fans. Triangle strips are the
  * element {@code tristrips}. Other elements and properties are passed over.
  */
 public final class PlyReader {
-    /** Where a vertex property goes: 0–2 position, 3–5 normal, 6–7 texture coordinates, 8–10 colour, 11–12 second coordinates. */
+    /**
+     * Where a vertex property goes: 0–2 position, 3–5 normal, 6–7 texture coordinates, 8–10 colour, 11–12 second texture
+     * coordinates.
+     */
     private static final List<List<String>> TARGETS = List.of(
             List.of("x"),
             List.of("y"),
@@ -29,11 +32,19 @@ public final class PlyReader {
             List.of("nz"),
             List.of("u", "s", "texture_u", "texture_s"),
             List.of("v", "t", "texture_v", "texture_t"),
-            List.of("red", "r", "diffuse_red", "vertex_color_r", "color_r"),
-            List.of("green", "g", "diffuse_green", "vertex_color_g", "color_g"),
-            List.of("blue", "b", "diffuse_blue", "vertex_color_b", "color_b"),
-            List.of("u1"),
-            List.of("v1"));
+            List.of("red", "r", "diffuse_red", "vertex_color_r", "color_r", "color_0"),
+            List.of("green", "g", "diffuse_green", "vertex_color_g", "color_g", "color_1"),
+            List.of("blue", "b", "diffuse_blue", "vertex_color_b", "color_b", "color_2"),
+            List.of("u1", "s1", "texture_u1", "texture_s1", "uv1_0", "uv1_x"),
+            List.of("v1", "t1", "texture_v1", "texture_t1", "uv1_1", "uv1_y"));
+
+    /** The attributes: the first of their properties, and how many they have. */
+    private static final int NORMAL = 3;
+
+    private static final int UV = 6;
+    private static final int COLOR = 8;
+    private static final int SECOND_UV = 11;
+    private static final int[] WIDTHS = {3, 3, 3, 3, 3, 3, 2, 2, 3, 3, 3, 2, 2};
 
     private static final List<String> NAMES =
             List.of("x", "y", "z", "nx", "ny", "nz", "u", "v", "red", "green", "blue", "u1", "v1");
@@ -140,43 +151,53 @@ public final class PlyReader {
         }
         int count = (int) element.count();
         float[] p = new float[3 * count];
-        float @Nullable [] n = present[3] && present[4] && present[5] ? new float[3 * count] : null;
-        float @Nullable [] uv = present[6] && present[7] ? new float[2 * count] : null;
-        float @Nullable [] rgb = present[8] && present[9] && present[10] ? new float[3 * count] : null;
-        float @Nullable [] uv1 = present[11] && present[12] ? new float[2 * count] : null;
+        float[] n = attribute(NORMAL, present, count);
+        float[] uv = attribute(UV, present, count);
+        float[] rgb = attribute(COLOR, present, count);
+        float[] second = attribute(SECOND_UV, present, count);
+        float[][] arrays = {p, p, p, n, n, n, uv, uv, rgb, rgb, rgb, second, second};
         for (int vertex = 0; vertex < count; vertex++) {
             for (int i = 0; i < targets.length; i++) {
                 int target = targets[i];
                 if (target < 0) {
                     skip(properties.get(i));
-                } else {
-                    float value = real(properties.get(i).type(), target, vertex);
-                    if (target < 3) {
-                        p[3 * vertex + target] = value;
-                    } else if (target < 6) {
-                        if (n != null) {
-                            n[3 * vertex + target - 3] = value;
-                        }
-                    } else if (target < 8) {
-                        if (uv != null) {
-                            uv[2 * vertex + target - 6] = target == 7 && flipTexCoords ? 1 - value : value;
-                        }
-                    } else if (target < 11) {
-                        if (rgb != null) {
-                            rgb[3 * vertex + target - 8] =
-                                    linear(properties.get(i).type(), value);
-                        }
-                    } else if (uv1 != null) {
-                        uv1[2 * vertex + target - 11] = target == 12 && flipTexCoords ? 1 - value : value;
-                    }
+                    continue;
+                }
+                float value = real(properties.get(i).type(), target, vertex);
+                float[] array = arrays[target];
+                if (array != null) {
+                    array[WIDTHS[target] * vertex + component(target)] =
+                            converted(target, properties.get(i).type(), value);
                 }
             }
         }
         positions = p;
         normals = n;
         texCoords = uv;
-        secondTexCoords = uv1;
+        secondTexCoords = second;
         colors = rgb;
+    }
+
+    /** Room for an attribute; null unless all of its properties are there. */
+    private static float @Nullable [] attribute(int first, boolean[] present, int count) {
+        for (int i = 0; i < WIDTHS[first]; i++) {
+            if (!present[first + i]) {
+                return null;
+            }
+        }
+        return new float[WIDTHS[first] * count];
+    }
+
+    private static int component(int target) {
+        return target >= SECOND_UV ? target - SECOND_UV : target >= COLOR ? target - COLOR : target % 3;
+    }
+
+    private float converted(int target, PlyType type, float value) {
+        if (target >= COLOR && target < SECOND_UV) {
+            return linear(type, value);
+        }
+        boolean isV = target == UV + 1 || target == SECOND_UV + 1;
+        return isV && flipTexCoords ? 1 - value : value;
     }
 
     /** Linear value of a colour: whole numbers are encoded by the sRGB curve, of which the largest is 1; others are linear. */
@@ -261,6 +282,10 @@ public final class PlyReader {
     /** Reads triangle strips: one list of vertices, in which −1 ends a strip; every other triangle is turned. */
     private void readStrips(Element element) throws IOException {
         hasFaces = true;
+        if (element.properties().isEmpty()) {
+            // They take no bytes, so the file does not bound their number.
+            return;
+        }
         for (long i = 0; i < element.count(); i++) {
             for (Property p : element.properties()) {
                 if (p.isList() && p.type().isInteger() && VERTEX_LISTS.contains(p.name())) {
@@ -346,10 +371,15 @@ public final class PlyReader {
             return;
         }
         for (long i = 0; i < values; i++) {
-            if (source.skipSpace() == -1) {
-                throw new MeshFormatException(source.line(), "the file ends in the middle of its data");
+            int next = source.skipSpace();
+            // Without a word nothing is consumed, and a list may claim any length.
+            if (source.word().isEmpty()) {
+                throw new MeshFormatException(
+                        source.line(),
+                        next == -1
+                                ? "the file ends in the middle of its data"
+                                : "the character with the code " + next + " stands where a value must follow");
             }
-            source.word();
         }
     }
 

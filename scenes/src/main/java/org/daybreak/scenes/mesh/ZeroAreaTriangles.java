@@ -25,15 +25,7 @@ public final class ZeroAreaTriangles {
                 kept = all.clone();
             }
         }
-        return kept == all
-                ? mesh
-                : new TriangleMesh(
-                        mesh.positions(),
-                        Arrays.copyOf(kept, size),
-                        mesh.normals(),
-                        mesh.uvs(),
-                        mesh.secondUvs(),
-                        mesh.colors());
+        return kept == all ? mesh : mesh.withTriangles(Arrays.copyOf(kept, size));
     }
 
     private static boolean hasArea(float[] p, int a, int b, int c) {

@@ -36,6 +36,10 @@ final class XmlText {
         if (!Files.exists(file)) {
             throw new IOException("the file does not exist");
         }
+        if (!Files.isRegularFile(file)) {
+            // A pipe or device may never end.
+            throw new IOException("this is no regular file");
+        }
         if (!Files.isReadable(file)) {
             throw new IOException("the file cannot be read: permission denied");
         }

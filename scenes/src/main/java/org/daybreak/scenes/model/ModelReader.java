@@ -16,6 +16,7 @@ import org.daybreak.scenes.description.PropertyDescription;
 import org.daybreak.scenes.description.SceneDescription;
 import org.daybreak.scenes.description.SourceLocation;
 import org.daybreak.scenes.description.Value;
+import org.daybreak.scenes.image.ImageLoader;
 import org.jspecify.annotations.Nullable;
 
 /** Describes the content of a mesh file as a scene of the type {@value #MODEL}, which needs no camera. */
@@ -45,10 +46,13 @@ public final class ModelReader {
     /**
      * Describes a file. Of the mesh itself only the names of materials are read.
      *
+     * @param images reads bump maps of material files
      * @param problems receives errors and warnings about material files
      */
-    public static SceneDescription read(Path file, ProblemList problems) {
-        List<ObjectDescription> shapes = ending(file).equals("obj") ? objShapes(file, problems) : List.of();
+    public static SceneDescription read(Path file, ImageLoader images, ProblemList problems) {
+        List<Path> files = new ArrayList<>(List.of(file));
+        List<ObjectDescription> shapes =
+                ending(file).equals("obj") ? objShapes(file, images, problems, files) : List.of();
         if (shapes.isEmpty()) {
             shapes = List.of(shape(file, null, List.of()));
         }
@@ -58,7 +62,7 @@ public final class ModelReader {
             content.add(new PropertyDescription("", new Value.Nested(shape), location));
         }
         ObjectDescription root = new ObjectDescription(ObjectKind.SCENE, MODEL, null, location, content);
-        return new SceneDescription(file, root, Map.of(), List.of(), List.of(file));
+        return new SceneDescription(file, root, Map.of(), List.of(), files);
     }
 
     private static ObjectDescription shape(Path file, @Nullable String material, List<PropertyDescription> more) {
@@ -78,7 +82,8 @@ public final class ModelReader {
     }
 
     /** One shape for each material; none if the file uses no materials or cannot be read, which is reported elsewhere. */
-    private static List<ObjectDescription> objShapes(Path file, ProblemList problems) {
+    private static List<ObjectDescription> objShapes(
+            Path file, ImageLoader images, ProblemList problems, List<Path> files) {
         ObjMaterials used;
         try {
             used = ObjMaterials.of(file);
@@ -90,7 +95,7 @@ public final class ModelReader {
         }
         Map<String, MtlMaterial> materials = new HashMap<>();
         for (String library : used.libraries()) {
-            for (MtlMaterial material : MtlReader.read(file, library, problems)) {
+            for (MtlMaterial material : MtlReader.read(file, library, problems, files)) {
                 materials.putIfAbsent(material.name(), material);
             }
         }
@@ -102,7 +107,7 @@ public final class ModelReader {
                         SourceLocation.of(file),
                         "no material file defines '" + name + "'" + NearestName.hint(name, materials.keySet()));
             }
-            shapes.add(shape(file, name, material == null ? List.of() : material.describe(problems)));
+            shapes.add(shape(file, name, material == null ? List.of() : material.describe(images)));
         }
         return shapes;
     }

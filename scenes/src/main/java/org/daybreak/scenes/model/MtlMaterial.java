@@ -1,21 +1,17 @@
 package org.daybreak.scenes.model;
 
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import javax.vecmath.Matrix4d;
 import org.daybreak.scenes.description.ObjectDescription;
 import org.daybreak.scenes.description.ObjectKind;
 import org.daybreak.scenes.description.ProblemList;
 import org.daybreak.scenes.description.PropertyDescription;
 import org.daybreak.scenes.description.SourceLocation;
 import org.daybreak.scenes.description.Value;
+import org.daybreak.scenes.image.ImageLoader;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,10 +25,12 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code Pm} of at least ½, or {@code illum} 3, 5 or 8 with black Kd: metal or mirror of colour Kd or Ks;
  *   <li>{@code illum} 4, 6, 7 or 9 with {@code d} below 1 or {@code Tf}: clear glass of index {@code Ni} and colour Tf;
  *   <li>{@code d}, {@code Tr}, {@code map_d} otherwise: a mask;
+ *   <li>{@code bump} or {@code map_bump}: heights in the file's units times {@code -bm}, or normals if the image holds such;
+ *   <li>{@code norm}: normals, green up;
  *   <li>{@code Ke}: emitted radiance.
  * </ul>
  *
- * All are two-sided but glass. Other statements, bump maps among them, are passed over.
+ * All are two-sided but glass, which has no bumps. Other statements are passed over.
  */
 final class MtlMaterial {
     private static final double SMOOTH_ALPHA = 0.01;
@@ -40,12 +38,14 @@ final class MtlMaterial {
     private static final Set<Integer> MIRROR = Set.of(3, 5, 8);
     private static final Set<String> COLORS = Set.of("kd", "ks", "ke", "tf");
     private static final Set<String> NUMBERS = Set.of("ns", "ni", "d", "tr", "illum", "pr", "pm");
-    private static final Set<String> MAPS = Set.of("map_kd", "map_d");
+    private static final Set<String> MAPS = Set.of("map_kd", "map_d", "bump", "map_bump", "norm");
+    private static final String BUMP = "bump";
+    private static final String NORMALS = "norm";
 
     private final String name;
     private final SourceLocation location;
     private final Map<String, double[]> values = new HashMap<>();
-    private final Map<String, ObjectDescription> maps = new HashMap<>();
+    private final Map<String, MtlTexture> maps = new HashMap<>();
 
     MtlMaterial(String name, SourceLocation location) {
         this.name = name;
@@ -59,9 +59,9 @@ final class MtlMaterial {
     /** Takes a statement. What is wrong in it is reported as a warning. */
     void set(String keyword, String argument, SourceLocation at, ProblemList problems) {
         if (MAPS.contains(keyword)) {
-            ObjectDescription texture = texture(keyword, argument, at, problems);
+            MtlTexture texture = MtlTexture.read(argument, !keyword.equals("map_kd"), at, problems);
             if (texture != null) {
-                maps.put(keyword, texture);
+                maps.put(keyword.equals("map_bump") ? BUMP : keyword, texture);
             }
             return;
         }
@@ -88,7 +88,8 @@ final class MtlMaterial {
         values.put(keyword, v);
     }
 
-    private static @Nullable Double number(String word) {
+    /** The number that a word is; null if it is none or not finite. */
+    static @Nullable Double number(String word) {
         try {
             double value = Double.parseDouble(word);
             return Double.isFinite(value) ? (Double) value : null;
@@ -97,10 +98,14 @@ final class MtlMaterial {
         }
     }
 
-    /** The properties that a shape of this material has: a bsdf, and an emitter if it emits. */
-    List<PropertyDescription> describe(ProblemList problems) {
+    /**
+     * The properties that a shape of this material has: a bsdf, and an emitter if it emits.
+     *
+     * @param images reads bump maps to tell whether they hold heights or normals
+     */
+    List<PropertyDescription> describe(ImageLoader images) {
         List<PropertyDescription> properties = new ArrayList<>();
-        properties.add(nested(bsdf()));
+        properties.add(nested(bsdf(images)));
         double[] emission = values.get("ke");
         if (emission != null && Math.max(emission[0], Math.max(emission[1], emission[2])) > 0) {
             properties.add(
@@ -109,7 +114,7 @@ final class MtlMaterial {
         return properties;
     }
 
-    private ObjectDescription bsdf() {
+    private ObjectDescription bsdf(ImageLoader images) {
         int illumination = (int) scalar("illum", 2);
         double opacity = values.containsKey("d") ? scalar("d", 1) : 1 - scalar("tr", 0);
         if (GLASS.contains(illumination) && (opacity < 1 || values.containsKey("tf")) && scalar("ni", 1) > 1.0001) {
@@ -120,17 +125,45 @@ final class MtlMaterial {
                             real("int_ior", scalar("ni", 1.5)),
                             color("specular_transmittance", values.getOrDefault("tf", white()), 1)));
         }
-        ObjectDescription base = object(ObjectKind.BSDF, "twosided", List.of(nested(opaque(illumination))));
-        ObjectDescription mask = maps.get("map_d");
+        ObjectDescription base =
+                object(ObjectKind.BSDF, "twosided", List.of(nested(bumpy(opaque(illumination), images))));
+        MtlTexture mask = maps.get("map_d");
         if (mask != null) {
             return object(
                     ObjectKind.BSDF,
                     "mask",
-                    List.of(new PropertyDescription("opacity", new Value.Nested(mask), location), nested(base)));
+                    List.of(
+                            new PropertyDescription("opacity", new Value.Nested(mask.bitmap()), location),
+                            nested(base)));
         }
         return opacity >= 1
                 ? base
                 : object(ObjectKind.BSDF, "mask", List.of(real("opacity", Math.max(0, opacity)), nested(base)));
+    }
+
+    /** A material with the bumps of the maps; normals go before heights. */
+    private ObjectDescription bumpy(ObjectDescription smooth, ImageLoader images) {
+        MtlTexture bump = maps.get(BUMP);
+        MtlTexture normals = maps.get(NORMALS);
+        if (normals == null && bump != null && NormalImages.holdsNormals(bump.file(), images)) {
+            normals = bump;
+        }
+        if (normals != null) {
+            return object(
+                    ObjectKind.BSDF,
+                    "normalmap",
+                    List.of(
+                            new PropertyDescription("normalmap", new Value.Nested(normals.bitmap()), location),
+                            real("scale", normals.multiplier()),
+                            new PropertyDescription("green", new Value.Text("against_v"), location),
+                            nested(smooth)));
+        }
+        return bump == null
+                ? smooth
+                : object(
+                        ObjectKind.BSDF,
+                        "bumpmap",
+                        List.of(nested(bump.bitmap()), real("scale", bump.multiplier()), nested(smooth)));
     }
 
     private ObjectDescription opaque(int illumination) {
@@ -171,10 +204,10 @@ final class MtlMaterial {
     }
 
     private PropertyDescription diffuse(String property, double[] color) {
-        ObjectDescription map = maps.get("map_kd");
+        MtlTexture map = maps.get("map_kd");
         return map == null
                 ? color(property, color, 1)
-                : new PropertyDescription(property, new Value.Nested(map), location);
+                : new PropertyDescription(property, new Value.Nested(map.bitmap()), location);
     }
 
     private PropertyDescription ggx() {
@@ -212,57 +245,5 @@ final class MtlMaterial {
             c[i] = Math.max(0, Math.min(limit, rgb[i]));
         }
         return new PropertyDescription(property, new Value.Color(c[0], c[1], c[2]), location);
-    }
-
-    /** A bitmap; null if there is no such file, which is reported as a warning. */
-    private static @Nullable ObjectDescription texture(
-            String keyword, String argument, SourceLocation at, ProblemList problems) {
-        List<PropertyDescription> properties = new ArrayList<>();
-        double[] scale = {1, 1};
-        double[] offset = {0, 0};
-        String rest = argument.strip();
-        while (rest.startsWith("-")) {
-            String[] words = rest.split("\\s+", -1);
-            String option = words[0].toLowerCase(Locale.ROOT);
-            int used = 1;
-            if (option.equals("-s") || option.equals("-o") || option.equals("-t")) {
-                while (used <= 3 && used < words.length && number(words[used]) != null) {
-                    Double value = number(words[used]);
-                    if (used <= 2 && value != null && !option.equals("-t")) {
-                        (option.equals("-s") ? scale : offset)[used - 1] = value;
-                    }
-                    used++;
-                }
-            } else {
-                used = option.equals("-mm") ? 3 : 2;
-                if (option.equals("-clamp") && words.length > 1 && words[1].equals("on")) {
-                    properties.add(new PropertyDescription("wrap_mode", new Value.Text("clamp"), at));
-                }
-            }
-            String[] left = rest.split("\\s+", used + 1);
-            rest = left.length > used ? left[used] : "";
-        }
-        String name = rest.strip().replace('\\', '/');
-        try {
-            Path file = at.file().resolveSibling(name);
-            if (name.isEmpty() || !Files.isRegularFile(file)) {
-                problems.warning(at, "the texture '" + name + "' does not exist");
-                return null;
-            }
-        } catch (InvalidPathException e) {
-            problems.warning(at, "'" + name + "' is no file name");
-            return null;
-        }
-        properties.add(new PropertyDescription("filename", new Value.Text(name), at));
-        if (keyword.equals("map_d")) {
-            properties.add(new PropertyDescription("raw", new Value.Switch(true), at));
-        }
-        if (scale[0] != 1 || scale[1] != 1 || offset[0] != 0 || offset[1] != 0) {
-            // v counts from the bottom in the file and from the top here: 1 − (s·v + o) = s·(1 − v) + 1 − s − o.
-            Matrix4d m = new Matrix4d(
-                    scale[0], 0, 0, offset[0], 0, scale[1], 0, 1 - scale[1] - offset[1], 0, 0, 1, 0, 0, 0, 0, 1);
-            properties.add(new PropertyDescription("to_uv", new Value.Transform(m), at));
-        }
-        return new ObjectDescription(ObjectKind.TEXTURE, "bitmap", null, at, properties);
     }
 }

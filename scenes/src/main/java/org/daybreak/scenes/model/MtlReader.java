@@ -21,8 +21,12 @@ final class MtlReader {
 
     private MtlReader() {}
 
-    /** The materials of a library that an OBJ file names; none if it cannot be read, which is reported as a warning. */
-    static List<MtlMaterial> read(Path obj, String library, ProblemList problems) {
+    /**
+     * The materials of a library that an OBJ file names; none if it cannot be read, which is reported as a warning.
+     *
+     * @param files receives the library if it has been read
+     */
+    static List<MtlMaterial> read(Path obj, String library, ProblemList problems, List<Path> files) {
         SourceLocation usedAt = SourceLocation.of(obj);
         String text;
         Path file;
@@ -41,6 +45,7 @@ final class MtlReader {
             problems.warning(usedAt, "the material file '" + library + "' cannot be read: " + e.getMessage());
             return List.of();
         }
+        files.add(file);
         return parse(file, text, problems);
     }
 

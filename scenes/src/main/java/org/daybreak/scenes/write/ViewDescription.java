@@ -62,7 +62,7 @@ final class ViewDescription {
     private static Value environment(LightNode light, SourceLocation location, PanoramaEncoder panoramas)
             throws IOException {
         if (!(light.source() instanceof LightSource.ImageEnvironment source)) {
-            throw new IllegalArgumentException("the light of a view is an image all around but this is " + light);
+            throw new IllegalArgumentException("the light of a view must be an image all around");
         }
         return nested(
                 ObjectKind.EMITTER,

@@ -66,6 +66,18 @@ class GeometryTest {
         assertNull(mesh.uvs());
     }
 
+    /** Tangents count with normals only; the sign of the bitangent is that of the texture coordinates. */
+    @Test
+    void tangentsAreKept() throws IOException {
+        GltfText text = GltfText.mesh("'POSITION':0,'NORMAL':1,'TANGENT':2", "")
+                .floats("VEC3", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+                .floats("VEC3", 0, 0, 1, 0, 0, 1, 0, 0, 1)
+                .floats("VEC4", 1, 0, 0, 1, 0, 1, 0, -1, 0.5, 0.5, 0, 1);
+        assertArrayEquals(floats(1, 0, 0, 0, 1, 0, 0.5, 0.5, 0), mesh(text).tangents());
+        text.with("meshes", "[{'primitives':[{'attributes':{'POSITION':0,'TANGENT':2}}]}]");
+        assertNull(mesh(text).tangents());
+    }
+
     @Test
     void stripsKeepTheirWinding() throws IOException {
         GltfText text =

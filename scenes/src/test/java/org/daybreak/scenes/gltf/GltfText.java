@@ -38,6 +38,61 @@ final class GltfText {
                 .with("nodes", "[{'mesh':0}]");
     }
 
+    /** A scene with something of everything. */
+    static GltfText everything() {
+        GltfText scene = new GltfText()
+                .floats("VEC3", 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0)
+                .floats("VEC3", 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1)
+                .floats("VEC2", 0, 0, 1, 0, 1, 1, 0, 1)
+                .numbers(UNSIGNED_BYTE, "VEC4", true, 255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 9, 1, 2, 3, 4)
+                .numbers(UNSIGNED_BYTE, "SCALAR", false, 0, 1, 2, 2, 3, 0)
+                .numbers(UNSIGNED_BYTE, "VEC4", false, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0)
+                .floats("VEC4", 1, 0, 0, 0, 0.5, 0.5, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0)
+                .floats("VEC3", 1, 2, 3, 4, 5, 6);
+        int indices = scene.view(new byte[] {1, 3}, 0);
+        scene.accessor("{'bufferView':0,'componentType':5126,'count':4,'type':'VEC3','sparse':{'count':2,'indices':"
+                + "{'bufferView':" + indices + ",'componentType':5121},'values':{'bufferView':1}}}");
+        String texture = "{'index':0,'scale':0.5,'extensions':{'KHR_texture_transform':{'offset':[0.5,0],"
+                + "'rotation':1,'scale':[2,2],'texCoord':0}}}";
+        return scene.with("extensionsUsed", "['KHR_texture_transform','KHR_lights_punctual','EXT_mesh_gpu_instancing']")
+                .with("extensionsRequired", "['KHR_texture_transform']")
+                .with(
+                        "extensions",
+                        "{'KHR_lights_punctual':{'lights':[{'type':'point','intensity':3},{'type':'spot',"
+                                + "'spot':{'innerConeAngle':0.1,'outerConeAngle':0.5}},{'type':'directional'}]}}")
+                .with("scene", "0")
+                .with("scenes", "[{'nodes':[0,1,4]}]")
+                .with(
+                        "nodes",
+                        "[{'mesh':0,'children':[2],'translation':[1,2,3],'rotation':[0,0,0,1],'scale':[1,2,3]},"
+                                + "{'mesh':1,'skin':0},{'camera':0,'matrix':[1,0,0,0,0,1,0,0,0,0,1,0,0,0,5,1],'children':[3]},"
+                                + "{'mesh':0,'weights':[0.25],'extensions':{'KHR_lights_punctual':{'light':1}}},"
+                                + "{'mesh':2,'extensions':{'EXT_mesh_gpu_instancing':{'attributes':{'TRANSLATION':7}}}}]")
+                .with("cameras", "[{'type':'perspective','perspective':{'yfov':0.7,'znear':0.1,'aspectRatio':1.5}}]")
+                .with(
+                        "meshes",
+                        "[{'weights':[0.5],'primitives':[{'attributes':{'POSITION':0,'NORMAL':1,'TEXCOORD_0':2,"
+                                + "'COLOR_0':3},'indices':4,'material':0,'targets':[{'POSITION':1}]}]},"
+                                + "{'primitives':[{'attributes':{'POSITION':0,'NORMAL':1,'JOINTS_0':5,'WEIGHTS_0':6},"
+                                + "'mode':6,'material':1}]},{'primitives':[{'attributes':{'POSITION':8},'mode':5}]}]")
+                .with("skins", "[{'joints':[0,2]}]")
+                .with("images", "[{'uri':'data:image/png;base64," + MaterialTest.PNG + "'}]")
+                .with("samplers", "[{'magFilter':9729,'minFilter':9987,'wrapS':10497,'wrapT':33071}]")
+                .with("textures", "[{'source':0,'sampler':0}]")
+                .with(
+                        "materials",
+                        "[{'pbrMetallicRoughness':{'baseColorFactor':[1,0.5,0.5,0.9],'baseColorTexture':"
+                                + texture + ",'metallicFactor':0.5,'roughnessFactor':0.3,'metallicRoughnessTexture':"
+                                + texture
+                                + "},'normalTexture':" + texture + ",'emissiveFactor':[1,1,0],'emissiveTexture':"
+                                + texture
+                                + ",'alphaMode':'MASK','alphaCutoff':0.25,'doubleSided':true,'extensions':{'KHR_materials_sheen':"
+                                + "{'sheenColorFactor':[1,0,0]},'KHR_materials_clearcoat':{'clearcoatFactor':1}}},"
+                                + "{'extensions':{'KHR_materials_transmission':{'transmissionFactor':1},'KHR_materials_volume':"
+                                + "{'thicknessFactor':1,'attenuationDistance':2,'attenuationColor':[0.5,0.6,0.7]},"
+                                + "'KHR_materials_ior':{'ior':1.4},'KHR_materials_anisotropy':{'anisotropyStrength':0.5}}}]");
+    }
+
     /** Sets a top-level member; single quotes stand for double ones. */
     GltfText with(String name, String json) {
         members.put(name, json.replace('\'', '"'));
@@ -89,7 +144,12 @@ final class GltfText {
         return bytes;
     }
 
-    private String json(String uri) {
+    /**
+     * The document.
+     *
+     * @param uri what is put behind the length of the buffer
+     */
+    String json(String uri) {
         Map<String, String> all = new LinkedHashMap<>(members);
         if (buffer.size() > 0) {
             all.put("buffers", "[{\"byteLength\":" + buffer.size() + uri + "}]");
@@ -105,6 +165,11 @@ final class GltfText {
                 .append("\":")
                 .append(value));
         return out.append("\n}\n").toString();
+    }
+
+    /** The bytes of the buffer. */
+    byte[] buffer() {
+        return buffer.toByteArray();
     }
 
     /** The text file, with the buffer inside. */
@@ -125,8 +190,13 @@ final class GltfText {
 
     /** The binary file. */
     byte[] binary() {
-        byte[] text = padded(json("").getBytes(StandardCharsets.UTF_8), ' ');
-        byte[] data = padded(buffer.toByteArray(), 0);
+        return binary(json(""), buffer.toByteArray());
+    }
+
+    /** A binary file of a document and a buffer. */
+    static byte[] binary(String json, byte[] buffer) {
+        byte[] text = padded(json.getBytes(StandardCharsets.UTF_8), ' ');
+        byte[] data = padded(buffer, 0);
         ByteBuffer out = ByteBuffer.allocate(28 + text.length + data.length).order(ByteOrder.LITTLE_ENDIAN);
         out.putInt(0x46546c67).putInt(2).putInt(out.capacity());
         out.putInt(text.length).putInt(0x4e4f534a).put(text);

@@ -1,5 +1,6 @@
 package org.daybreak.scenes.gltf;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
@@ -8,11 +9,17 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Base64;
 import java.util.List;
 import java.util.Map;
+import org.daybreak.core.camera.Camera;
+import org.daybreak.core.camera.CameraRay;
+import org.daybreak.core.geometry.TriangleMesh;
 import org.daybreak.core.material.Mask;
 import org.daybreak.core.material.PrincipledThin;
+import org.daybreak.core.material.TangentFrame;
 import org.daybreak.core.material.TwoSided;
 import org.daybreak.core.scene.Instance;
 import org.daybreak.core.scene.LightNode;
@@ -66,6 +73,24 @@ class LoadedSceneTest {
         assertEquals(2, file.graph().root().children().size());
     }
 
+    /** The picture shows 2·xmag across and 2·ymag down of the plane through the camera, along its −z. */
+    @Test
+    void orthographicCamerasSeeTheirMagnification() throws IOException, SceneException {
+        SceneFile file = load(MaterialTest.text("'POSITION':0", "{}")
+                .with("cameras", "[{'type':'orthographic','orthographic':{'xmag':3,'ymag':1.5,'znear':0,'zfar':9}}]")
+                .with("nodes", "[{'mesh':0},{'camera':0,'translation':[10,20,30],'scale':[1,1,2]}]"));
+        Camera camera = SceneCompiler.compile(file.graph()).camera();
+        assertEquals(1440, camera.width());
+        assertEquals(720, camera.height());
+        CameraRay ray = new CameraRay();
+        for (double[] fraction : new double[][] {{0, 0}, {1, 0}, {0.5, 0.75}}) {
+            assertTrue(camera.sampleRay(1440 * fraction[0], 720 * fraction[1], 0.5, 0.5, ray));
+            assertEquals(10 + 3 * (2 * fraction[0] - 1), ray.ox, 1e-9);
+            assertEquals(20 + 1.5 * (1 - 2 * fraction[1]), ray.oy, 1e-9);
+            assertEquals(-1, ray.dz, 1e-12);
+        }
+    }
+
     @Test
     void materialsAreBuilt() throws IOException, SceneException {
         String textured = "'pbrMetallicRoughness':{'baseColorFactor':[0.5,1,1,0.5],'baseColorTexture':{'index':1},"
@@ -96,6 +121,34 @@ class LoadedSceneTest {
         assertSame(
                 first.prototype(),
                 assertInstanceOf(Instance.class, nodes.get(1)).prototype());
+    }
+
+    /** Whether a render goes on from a state depends on all files that the scene came from. */
+    @Test
+    void buffersAndImagesBelongToTheScene() throws IOException, SceneException {
+        GltfText text = MaterialTest.text(
+                        "'POSITION':0,'TEXCOORD_0':1", "{'pbrMetallicRoughness':{'baseColorTexture':{'index':0}}}")
+                .with("images", "[{'uri':'a%20picture.png'}]");
+        Files.write(folder.resolve("a picture.png"), Base64.getDecoder().decode(MaterialTest.PNG));
+        SceneFile file = new SceneReader().load(text.writeSeparate(folder, "data.bin", "data.bin"), Map.of());
+        assertEquals(
+                List.of("model.gltf", "data.bin", "a picture.png"),
+                file.files().stream().map(f -> folder.relativize(f).toString()).toList());
+    }
+
+    /** The tangents of a file reach the mesh that is rendered, and the material asks for its coordinates. */
+    @Test
+    void tangentsAndSecondCoordinatesReachTheMesh() throws IOException, SceneException {
+        GltfText text = MaterialTest.text(
+                        "'POSITION':0,'NORMAL':2,'TEXCOORD_1':3,'TANGENT':4",
+                        "{'normalTexture':{'index':0,'texCoord':1}}")
+                .floats("VEC4", 1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1);
+        ShapeNode shape = assertInstanceOf(
+                ShapeNode.class, load(text).graph().root().children().get(0));
+        TriangleMesh mesh = assertInstanceOf(TriangleMesh.class, shape.shape());
+        assertArrayEquals(new float[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, mesh.tangents());
+        assertArrayEquals(new float[] {0, 0, 5, 0, 0, 5}, mesh.secondUvs());
+        assertEquals(TangentFrame.SECOND_UVS, shape.material().tangentFrame());
     }
 
     @Test

@@ -17,6 +17,8 @@ import org.daybreak.scenes.description.ObjectKind;
 import org.daybreak.scenes.description.Value;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** What materials and textures are described as. */
 class MaterialTest {
@@ -39,7 +41,8 @@ class MaterialTest {
                 .with("textures", "[{'source':0},{'source':0,'sampler':0}]")
                 .floats("VEC3", 0, 0, 0, 1, 0, 0, 0, 1, 0)
                 .floats("VEC2", 0, 0, 1, 0, 0, 1)
-                .floats("VEC3", 1, 0, 0, 0, 1, 0, 0, 0, 1);
+                .floats("VEC3", 1, 0, 0, 0, 1, 0, 0, 0, 1)
+                .floats("VEC2", 0, 0, 5, 0, 0, 5);
     }
 
     private ObjectDescription bsdf(String material) throws IOException {
@@ -187,6 +190,18 @@ class MaterialTest {
         assertEquals(0, Descriptions.number(black, "reflectance"));
     }
 
+    /** Both sides of what reflects look alike, as light must meet the same on its way there and back. */
+    @Test
+    void sidesDoNotDependOnDoubleSided() throws IOException {
+        for (String sides : List.of("", "'doubleSided':false", "'doubleSided':true")) {
+            assertEquals("twosided", bsdf("{" + sides + "}").type());
+        }
+        String unlit = "{'doubleSided':true,'extensions':{'KHR_materials_unlit':{}}}";
+        assertEquals(
+                List.of("/materials/0 emits on the front of its surfaces only"),
+                read("'POSITION':0", unlit).warnings());
+    }
+
     @Test
     void normalMaps() throws IOException {
         ObjectDescription map = Descriptions.child(bsdf("{'normalTexture':{'index':0,'scale':0.5}}"), ObjectKind.BSDF);
@@ -213,6 +228,49 @@ class MaterialTest {
             assertEquals(0.5 * uv[1], u, 1e-12);
             assertEquals(1 - 0.5 * uv[0], v, 1e-12);
         }
+    }
+
+    /** A textureInfo names its texture coordinates, and KHR_texture_transform, if it names some, goes before it. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            {'index':0}                                                                           | 0
+            {'index':0,'texCoord':1}                                                              | 1
+            {'index':0,'texCoord':1,'extensions':{'KHR_texture_transform':{'scale':[2,2]}}}       | 1
+            {'index':0,'extensions':{'KHR_texture_transform':{'texCoord':1}}}                     | 1
+            {'index':0,'texCoord':1,'extensions':{'KHR_texture_transform':{'texCoord':0}}}        | 0
+            """, quoteCharacter = '`')
+    void texturesNameTheirCoordinates(String info, int set) throws IOException {
+        Descriptions read = read(
+                "'POSITION':0,'TEXCOORD_0':1,'TEXCOORD_1':3",
+                "{'normalTexture':" + info + ",'pbrMetallicRoughness':{'baseColorTexture':" + info + "}}");
+        assertEquals(List.of(), read.warnings());
+        ObjectDescription shape = read.only(ObjectKind.SHAPE);
+        assertArrayEquals(
+                new float[] {0, 0, 5, 0, 0, 5}, Descriptions.mesh(shape).secondUvs());
+        ObjectDescription map = Descriptions.child(Descriptions.child(shape, ObjectKind.BSDF), ObjectKind.BSDF);
+        assertUsesSet(set, Descriptions.nested(map, "normalmap"));
+        ObjectDescription principled = Descriptions.child(map, ObjectKind.BSDF);
+        assertUsesSet(set, Descriptions.nested(principled, "base_color"));
+    }
+
+    /** The first set is what a texture uses without a word. */
+    private static void assertUsesSet(int set, ObjectDescription texture) {
+        boolean named = texture.properties().stream().anyMatch(p -> p.name().equals("uv_set"));
+        assertEquals(set != 0, named);
+        if (named) {
+            assertEquals(new Value.WholeNumber(set), Descriptions.value(texture, "uv_set"));
+        }
+    }
+
+    @Test
+    void thirdTextureCoordinatesAreLeftOut() throws IOException {
+        Descriptions read = read(
+                "'POSITION':0,'TEXCOORD_0':1",
+                "{'pbrMetallicRoughness':{'baseColorTexture':{'index':0,'texCoord':2}}}");
+        assertEquals(
+                List.of("/materials/0/pbrMetallicRoughness/baseColorTexture is left out:"
+                        + " only the texture coordinates 0 and 1 are supported, not 2"),
+                read.warnings());
     }
 
     @Test

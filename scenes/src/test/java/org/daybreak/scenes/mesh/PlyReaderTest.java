@@ -130,6 +130,24 @@ class PlyReaderTest {
         assertArrayEquals(new float[] {.1f, .2f, .3f, .4f, .5f, .6f, .7f, .8f}, mesh.uvs());
     }
 
+    /** Names as Assimp and others write them, and those of an attribute {@code vertex_uv1} that Mitsuba writes. */
+    @ParameterizedTest
+    @ValueSource(strings = {"u1 v1", "s1 t1", "texture_u1 texture_v1", "uv1_0 uv1_1"})
+    void knowsTheNamesOfSecondTextureCoordinates(String names) throws IOException {
+        String[] uv = names.split(" ", -1);
+        String header = HEADER.replace(
+                "property float z\n",
+                "property float z\nproperty float s\nproperty float " + uv[0] + "\nproperty float t\nproperty double "
+                        + uv[1] + "\n");
+        String text = header + "0 0 0 .1 .5 .2 .75 1 0 0 .3 .25 .4 1 1 1 0 .5 0 .6 -1 0 1 0 .7 2 .8 0\n3 0 1 2\n";
+        TriangleMesh mesh = read(text);
+        assertArrayEquals(new float[] {.1f, .2f, .3f, .4f, .5f, .6f, .7f, .8f}, mesh.uvs());
+        assertArrayEquals(new float[] {.5f, .75f, .25f, 1, 0, -1, 2, 0}, mesh.secondUvs());
+        float[] flipped = read(text.getBytes(StandardCharsets.ISO_8859_1), true).secondUvs();
+        assertArrayEquals(new float[] {.5f, .25f, .25f, 0, 0, 2, 2, 1}, flipped);
+        assertNull(read(text.replace(" " + uv[1] + "\n", " other\n")).secondUvs());
+    }
+
     @Test
     void acceptsFacesBeforeVertices() throws IOException {
         String header = """

@@ -1,0 +1,57 @@
+package org.daybreak.bidirectional;
+
+import java.util.Optional;
+import org.daybreak.core.camera.Camera;
+import org.daybreak.core.film.Film;
+import org.daybreak.core.render.RenderContext;
+import org.daybreak.core.render.RenderReport;
+import org.daybreak.core.render.Renderer;
+import org.daybreak.core.render.SampleRecord;
+import org.daybreak.core.render.SampleRequest;
+import org.daybreak.core.scene.Scene;
+import org.daybreak.tracing.FurtherImages;
+import org.daybreak.tracing.PixelwiseRenderer;
+import org.daybreak.tracing.RayProcessor;
+
+/**
+ * Renders by bidirectional path tracing: pixel by pixel for eye subpaths, while the light subpath of each sample adds to the
+ * light image of the film ({@link CausticMap}).
+ */
+public final class BidirectionalRenderer implements Renderer {
+    private final BidirectionalSettings settings;
+    private final PixelwiseRenderer pixelwise;
+
+    /** Creates a renderer. */
+    public BidirectionalRenderer(BidirectionalSettings settings) {
+        this(settings, FurtherImages.NONE);
+    }
+
+    /**
+     * Creates a renderer.
+     *
+     * @param further images to make besides the film's: {@link TechniqueViews}, or none
+     */
+    BidirectionalRenderer(BidirectionalSettings settings, FurtherImages further) {
+        this.settings = settings;
+        RayProcessor.Factory processors = further instanceof TechniqueViews views
+                ? (scene, camera, features) -> views.record(
+                        listener -> new BiDirectionalProcessor(scene, camera, features, settings, listener))
+                : (scene, camera, features) -> new BiDirectionalProcessor(scene, camera, features, settings, null);
+        pixelwise = new PixelwiseRenderer(BidirectionalRendererFactory.ID, processors, further);
+    }
+
+    @Override
+    public RenderReport render(Scene scene, Camera camera, Film film, RenderContext context) {
+        return pixelwise.render(scene, camera, film, context);
+    }
+
+    @Override
+    public Optional<SampleRecord> replay(Scene scene, Camera camera, SampleRequest request) {
+        return Optional.of(SampleTrace.of(scene, camera, settings, request));
+    }
+
+    @Override
+    public boolean isResumable() {
+        return pixelwise.isResumable();
+    }
+}

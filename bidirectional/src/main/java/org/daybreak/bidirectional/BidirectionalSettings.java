@@ -1,0 +1,198 @@
+package org.daybreak.bidirectional;
+
+import java.util.List;
+import org.daybreak.core.render.Parameter;
+import org.daybreak.core.render.ParameterException;
+import org.daybreak.core.render.ParameterValues;
+
+/**
+ * Settings of bidirectional path tracing.
+ *
+ * @param maxEyeDepth largest number of vertices of an eye subpath, the one on the lens included; -1 for no limit
+ * @param maxLightDepth largest number of vertices of a light subpath, the one on the light included; -1 for no limit
+ * @param maxDepth largest number of edges of a full path; -1 for no limit
+ * @param heuristicExponent β of the heuristic
+ * @param roulette where Russian roulette is played
+ * @param rrDepth Russian roulette may end a subpath from this number of edges on
+ * @param splitting number of ways in which an eye subpath goes on from the first surface that scatters diffusely
+ * @param allLights whether each sample has a light subpath and a light sample for every light, or for one that is chosen
+ * @param causticMap whether light subpaths are joined to the lens
+ */
+public record BidirectionalSettings(
+        int maxEyeDepth,
+        int maxLightDepth,
+        int maxDepth,
+        double heuristicExponent,
+        Roulette roulette,
+        int rrDepth,
+        int splitting,
+        boolean allLights,
+        boolean causticMap) {
+    /** Where Russian roulette is played. */
+    public enum Roulette {
+        /** Nowhere: the limits of depth end paths. */
+        NONE,
+        /** Subpaths end in proportion to their throughput. */
+        THROUGHPUT,
+        /** And occlusion tests of small contributions are left out: {@link ConnectionRoulette}. */
+        EFFICIENCY
+    }
+
+    /** The parameters from which the settings are made. */
+    static final List<Parameter> PARAMETERS = List.of(
+            depth(
+                    "maxEyeDepth",
+                    "Max. eye path depth",
+                    "Largest number of vertices of an eye path, the one on the lens included: 1 shows only what light"
+                            + " paths bring to the lens; -1 for no limit."),
+            depth(
+                    "maxLightDepth",
+                    "Max. light path depth",
+                    "Largest number of vertices of a light path, the one on the light included: 1 behaves as path"
+                            + " tracing; -1 for no limit."),
+            depth(
+                    "maxDepth",
+                    "Recursion depth",
+                    "Largest number of edges of a full path: 1 shows emitters only, 2 adds direct light, and so on; -1"
+                            + " for no limit."),
+            Parameter.real(
+                    "heuristicExponent",
+                    "Heuristic exponent",
+                    2,
+                    0,
+                    1000,
+                    "Exponent β of the heuristic that weights the ways to make a path: 0 for equal weights, 1 for the"
+                            + " balance heuristic, 2 for the power heuristic. Does not change the mean."),
+            Parameter.choice(
+                    "russianRoulette",
+                    "Russian roulette",
+                    "efficiency",
+                    List.of("none", "throughput", "efficiency"),
+                    "none: limits of depth alone end paths; throughput: paths end in proportion to what they can still"
+                            + " contribute; efficiency: besides, occlusion tests of small contributions are left out at"
+                            + " random. Does not change the mean."),
+            Parameter.integer(
+                    "rrDepth",
+                    "Russian roulette from depth",
+                    3,
+                    1,
+                    Integer.MAX_VALUE,
+                    "Number of edges from which on a subpath may be ended at random. Does not change the mean."),
+            Parameter.integer(
+                    "splitting",
+                    "Eye paths from the first diffuse surface",
+                    2,
+                    1,
+                    1024,
+                    "Number of ways in which an eye path goes on from the first surface that scatters diffusely. More help"
+                            + " where mirrors show caustics, which light paths cannot bring to the lens. With"
+                            + " lightsPerPath all it is 1. Does not change the mean."),
+            Parameter.choice(
+                    "lightsPerPath",
+                    "Light paths per sample",
+                    "one",
+                    List.of("one", "all"),
+                    "one: a light is chosen by its power for the light path, and by its effect for each light sample;"
+                            + " all: every light gets a light path and a light sample. Does not change the mean."),
+            Parameter.flag(
+                    "causticMap",
+                    "Caustic map",
+                    true,
+                    "Whether light paths are joined to the lens, which finds caustics and what else light paths bring"
+                            + " there. Without, light that no other way finds is missing."));
+
+    private static Parameter depth(String name, String label, String doc) {
+        return Parameter.integer(name, label, -1, -1, Integer.MAX_VALUE, doc);
+    }
+
+    /**
+     * Checks what the ranges of the single values do not say.
+     *
+     * @throws ParameterException if a depth is 0, if nothing can be rendered, or if paths would never end
+     */
+    public BidirectionalSettings {
+        requireDepth("maxEyeDepth", maxEyeDepth);
+        requireDepth("maxLightDepth", maxLightDepth);
+        if (maxEyeDepth == 1 && !causticMap) {
+            throw new ParameterException("with maxEyeDepth 1 all light comes through the caustic map, which is off");
+        }
+        boolean endless = maxDepth < 0 && (maxEyeDepth < 0 || maxLightDepth < 0);
+        if (roulette == Roulette.NONE && endless) {
+            throw new ParameterException(
+                    "without Russian roulette paths need a limit: set maxDepth, or maxEyeDepth" + " and maxLightDepth");
+        }
+    }
+
+    private static void requireDepth(String name, int depth) {
+        if (depth == 0) {
+            throw new ParameterException(
+                    "parameter '" + name + "' is '0' but must be a whole number, at least 1, or -1 for no limit");
+        }
+    }
+
+    /** Settings from parameter values. */
+    static BidirectionalSettings of(ParameterValues values) {
+        return new BidirectionalSettings(
+                values.integer("maxEyeDepth"),
+                values.integer("maxLightDepth"),
+                values.integer("maxDepth"),
+                values.real("heuristicExponent"),
+                switch (values.choice("russianRoulette")) {
+                    case "none" -> Roulette.NONE;
+                    case "throughput" -> Roulette.THROUGHPUT;
+                    default -> Roulette.EFFICIENCY;
+                },
+                values.integer("rrDepth"),
+                values.integer("splitting"),
+                values.choice("lightsPerPath").equals("all"),
+                values.flag("causticMap"));
+    }
+
+    /** The same settings without the roulette for occlusion tests. */
+    BidirectionalSettings withoutConnectionRoulette() {
+        return new BidirectionalSettings(
+                maxEyeDepth,
+                maxLightDepth,
+                maxDepth,
+                heuristicExponent,
+                roulette == Roulette.NONE ? Roulette.NONE : Roulette.THROUGHPUT,
+                rrDepth,
+                splitting,
+                allLights,
+                causticMap);
+    }
+
+    /** In how many ways an eye subpath goes on from the first vertex that can be connected. */
+    int eyeBranches() {
+        return allLights ? 1 : splitting;
+    }
+
+    /** Largest number of edges from which on Russian roulette may end subpaths; beyond all paths if it may not. */
+    int rouletteFrom() {
+        return roulette == Roulette.NONE ? Integer.MAX_VALUE : rrDepth;
+    }
+
+    /**
+     * What can be sampled.
+     *
+     * @param parallelFilm whether the camera sees along a single direction
+     */
+    TechniqueLimits limits(boolean parallelFilm) {
+        int eye = limit(maxEyeDepth);
+        int light = limit(maxLightDepth);
+        if (maxDepth >= 0) {
+            eye = (int) Math.min(eye, maxDepth + 1L);
+            light = Math.min(light, maxDepth);
+        }
+        return new TechniqueLimits(eye, light, causticMap, parallelFilm);
+    }
+
+    /** Largest number of vertices of a full path. */
+    long maxVertices() {
+        return maxDepth < 0 ? Long.MAX_VALUE : maxDepth + 1L;
+    }
+
+    private static int limit(int depth) {
+        return depth < 0 ? Integer.MAX_VALUE - 8 : depth;
+    }
+}

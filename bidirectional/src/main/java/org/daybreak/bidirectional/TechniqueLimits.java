@@ -1,0 +1,33 @@
+package org.daybreak.bidirectional;
+
+/**
+ * Which techniques (s, t) a configuration samples.
+ *
+ * @param maxEyeVertices largest t, at least 1
+ * @param maxLightVertices largest s, at least 0
+ * @param lens whether t = 1 is among them
+ * @param parallelFilm whether the camera sees along a single direction, so that what is at infinity is sampled by film position
+ */
+record TechniqueLimits(int maxEyeVertices, int maxLightVertices, boolean lens, boolean parallelFilm) {
+    /** True if no technique of a path with so many vertices is beyond the limits of depth. */
+    boolean leaveAll(int vertices) {
+        return vertices <= maxEyeVertices && vertices - 1 <= maxLightVertices;
+    }
+
+    /**
+     * Whether lights that are seen directly are joined to the lens (s = t = 1): only if eye subpaths cannot meet them. These do
+     * better than a comparison of densities can know, as each pixel has samples of its own.
+     */
+    boolean emitterAtLens() {
+        return lens && maxEyeVertices == 1;
+    }
+
+    /** True if technique s can make the path. */
+    boolean admits(CombinedPathValues path, int s) {
+        int t = path.length() - s;
+        if (t < 1 || t > maxEyeVertices || s > maxLightVertices || (t == 1 && !(s == 1 ? emitterAtLens() : lens))) {
+            return false;
+        }
+        return s == 0 ? path.hittable : !path.delta[s - 1] && !path.delta[s];
+    }
+}

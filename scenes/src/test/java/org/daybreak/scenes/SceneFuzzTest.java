@@ -1,0 +1,93 @@
+package org.daybreak.scenes;
+
+import com.code_intelligence.jazzer.junit.DictionaryFile;
+import com.code_intelligence.jazzer.junit.FuzzTest;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Map;
+import org.daybreak.scenes.description.ProblemList;
+import org.daybreak.scenes.description.SceneException;
+import org.daybreak.scenes.description.SceneProblem;
+import org.daybreak.scenes.model.ModelReader;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Feeds arbitrary bytes to the readers of scenes: each file must be read or refused by {@link SceneException}, in bounded
+ * time and memory. In an ordinary build the inputs beside this class are run; docs/fuzzing.md tells how to search for new
+ * ones.
+ */
+@Timeout(value = 10, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+@ExtendWith(WhereJazzerAttaches.class)
+class SceneFuzzTest {
+    private static final String MESH = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    private static final OneImage IMAGES = new OneImage();
+    private static final SceneReader READER = new SceneReader(IMAGES);
+
+    @TempDir
+    static Path scratch;
+
+    private static MemoryFolder folder;
+
+    @BeforeAll
+    static void writeFilesToReferTo() throws IOException {
+        folder = new MemoryFolder(scratch);
+        folder.write("i.png", "image");
+        folder.write("m.obj", MESH + "f 1 2 3\n");
+        folder.write("c.txt", "0 0 0 1\n1 0 0 1\n2 1 0 0.5\n3 1 1 0\n");
+        folder.write("s.xml", "<bsdf version='3.0.0' type='diffuse' id='included'/>");
+        folder.write("l.ies", "TILT=NONE\n1 1000 1 2 1 1 1 0 0 0\n1 1 30\n0 90\n0\n100 20\n");
+    }
+
+    @AfterAll
+    static void close() throws IOException {
+        folder.close();
+    }
+
+    /** A file, or what stands in for one whose first byte is no markup: a {@link SceneRecipe}. */
+    @DictionaryFile(resourcePath = "/org/daybreak/scenes/mitsuba.dict")
+    @FuzzTest(maxDuration = "")
+    void mitsubaXml(byte[] input) throws IOException {
+        boolean complete = input.length > 0 && (input[0] == '<' || input[0] == (byte) 0xef || input[0] == (byte) 0xff);
+        Path file = complete ? folder.write("scene.xml", input) : folder.write("scene.xml", SceneRecipe.text(input));
+        isReadOrRefused(file);
+    }
+
+    @DictionaryFile(resourcePath = "/org/daybreak/scenes/obj.dict")
+    @FuzzTest(maxDuration = "")
+    void objWithMaterials(byte[] input) throws IOException {
+        folder.write("x.mtl", "newmtl a\nKd 0.5 0.6 0.7\nmap_Kd i.png\nnewmtl b\nKe 1 2 3\nd 0.5\n");
+        isReadOrRefused(folder.write("x.obj", input));
+    }
+
+    /**
+     * Materials, as part of a model that is sound. Most inputs are only read and described: rough plastics tabulate their
+     * transmittance when they are built, which takes a thousand times as long.
+     */
+    @DictionaryFile(resourcePath = "/org/daybreak/scenes/obj.dict")
+    @FuzzTest(maxDuration = "")
+    void mtl(byte[] input) throws IOException {
+        folder.write("x.mtl", input);
+        Path file = folder.write("x.obj", "mtllib x.mtl\n" + MESH + "usemtl a\nf 1 2 3\nusemtl b\nf 3 2 1\n");
+        ModelReader.read(file, IMAGES, new ProblemList());
+        if (input.length % 64 == 0) {
+            isReadOrRefused(file);
+        }
+    }
+
+    private static void isReadOrRefused(Path file) {
+        try {
+            READER.load(file, Map.of());
+        } catch (SceneException e) {
+            for (SceneProblem problem : e.problems()) {
+                // Readers tell when memory runs out; a file as small as these must not bring that about.
+                if (problem.message().isBlank() || problem.message().endsWith("does not fit into memory")) {
+                    throw new AssertionError("not a proper refusal", e);
+                }
+            }
+        }
+    }
+}
