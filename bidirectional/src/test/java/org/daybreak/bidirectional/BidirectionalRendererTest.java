@@ -29,7 +29,7 @@ class BidirectionalRendererTest {
     @Test
     void defaultsHaveNoLimits() {
         assertEquals(
-                new BidirectionalSettings(-1, -1, -1, 2, BidirectionalSettings.Roulette.EFFICIENCY, 3, 1, false, true),
+                new BidirectionalSettings(-1, -1, -1, 2, BidirectionalSettings.Roulette.EFFICIENCY, 3, 2, false, true),
                 parse(Map.of()));
     }
 
@@ -91,8 +91,8 @@ class BidirectionalRendererTest {
         Sampler sampler = new SobolSampling().newSampler(1, 64);
         RaySample sample = new RaySample();
         SplatBuffer splats = new SplatBuffer();
-        BiDirectionalProcessor processor =
-                new BiDirectionalProcessor(scene, scene.camera(), true, parse(Map.of("lightsPerPath", lights, "splitting", splitting)), null);
+        BiDirectionalProcessor processor = new BiDirectionalProcessor(
+                scene, scene.camera(), true, parse(Map.of("lightsPerPath", lights, "splitting", splitting)), null);
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         int samples = 24 * 18 * 16;
         for (int round = 0; ; round++) {

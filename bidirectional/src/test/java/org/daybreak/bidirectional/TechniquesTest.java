@@ -92,7 +92,13 @@ class TechniquesTest {
         Scene scene = subject.maker.apply(SIZE);
         Run[] runs = new Run[RUNS];
         for (int i = 0; i < RUNS; i++) {
-            runs[i] = new Run(scene, subject.hittable, subject.allLights, subject.splitting, 100 + i, factor * subject.samplesPerPixel);
+            runs[i] = new Run(
+                    scene,
+                    subject.hittable,
+                    subject.allLights,
+                    subject.splitting,
+                    100 + i,
+                    factor * subject.samplesPerPixel);
         }
         List<String> names = new ArrayList<>();
         List<double[]> all = new ArrayList<>();
@@ -107,9 +113,7 @@ class TechniquesTest {
                 boolean sum = s == k + 1;
                 double[][] actual = tiles(runs, run -> sum ? run.weighted[edges] : run.techniques[edges][technique]);
                 String name = subject + ", " + k + " edges, " + (sum ? "weighted" : "s = " + s);
-                assertTrue(
-                        Arrays.stream(actual).anyMatch(run -> run[TILES] > 0),
-                        () -> name + ": nothing is found");
+                assertTrue(Arrays.stream(actual).anyMatch(run -> run[TILES] > 0), () -> name + ": nothing is found");
                 names.add(name);
                 all.add(ZTest.tilesOfRuns(expected, actual));
                 if (k == 2 || k == 3) {

@@ -25,6 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 class OldDialectTest {
     private static final String HEAD =
             "<scene version='0.6.0'><integrator type='bdpt'><integer name='maxDepth' value='7'/>"
+                    + "<boolean name='lightImage' value='false'/><boolean name='sampleDirect' value='true'/>"
                     + "<boolean name='strictNormals' value='true'/></integrator><sensor type='perspective'>"
                     + "<float name='fov' value='30'/><string name='fovAxis' value='smaller'/><float name='focusDistance' value='9'/>"
                     + "<transform name='toWorld'><lookAt origin='0,0,5' target='0,0,0' up='0,1,0'/></transform>"
@@ -49,12 +50,10 @@ class OldDialectTest {
         assertNotNull(file.graph().film());
         assertEquals(6, file.graph().film().height());
         assertEquals(12, file.request().samplesPerPixel().getAsInt());
-        assertEquals("path", file.request().rendererId().orElseThrow());
+        assertEquals("bidirectional", file.request().rendererId().orElseThrow());
         assertEquals(
-                Map.of(RenderSettingsRequest.MAX_DEPTH, "7"), file.request().parameters());
-        assertTrue(
-                file.warnings().stream().anyMatch(w -> w.message().contains("'bdpt' is replaced by 'path'")),
-                () -> file.warnings().toString());
+                Map.of(RenderSettingsRequest.MAX_DEPTH, "7", RenderSettingsRequest.CAUSTIC_MAP, "false"),
+                file.request().parameters());
     }
 
     @Test
@@ -146,5 +145,14 @@ class OldDialectTest {
             }
         }
         throw new AssertionError("no light");
+    }
+
+    @Test
+    void otherIntegratorsOfGlobalLightBecomeThePathTracer() throws IOException, SceneException {
+        SceneFile file = SceneTexts.load(folder, HEAD.replace("bdpt", "pssmlt") + "<emitter type='constant'/></scene>");
+        assertEquals("path", file.request().rendererId().orElseThrow());
+        assertTrue(
+                file.warnings().stream().anyMatch(w -> w.message().contains("'pssmlt' is replaced by 'path'")),
+                () -> file.warnings().toString());
     }
 }

@@ -37,8 +37,7 @@ class SceneErrorsTest {
                         "unknown element <flot>; did you mean 'float'?"),
                 arguments("§<shape type='sphere' colour='red'/>", "<shape> has no attribute 'colour'"),
                 arguments("§<shape type='spher'/>", "shape type 'spher' is not supported; did you mean 'sphere'?"),
-                arguments(
-                        "§<integrator type='bdpt'/>", "integrator type 'bdpt' is not supported; did you mean 'path'?"),
+                arguments("§<integrator type='pth'/>", "integrator type 'pth' is not supported; did you mean 'path'?"),
                 arguments("§<shape/>", "<shape> needs the attribute 'type'"),
                 arguments(
                         "<bsdf type='diffuse'>§<rgb name='reflectence' value='1'/></bsdf>",

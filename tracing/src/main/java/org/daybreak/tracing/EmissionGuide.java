@@ -50,6 +50,9 @@ public final class EmissionGuide {
     private final boolean[] targets;
 
     private final boolean[] aims;
+    /** Positions of lights that are points. */
+    private final double[] origins;
+
     private final double[] x;
     private final double[] y;
     private final double[] z;
@@ -94,6 +97,7 @@ public final class EmissionGuide {
         int lights = scene.lightCount();
         targets = new boolean[lights * count];
         aims = new boolean[lights];
+        origins = new double[3 * lights];
         if (count > 0 && lights <= MOST_LIGHTS) {
             RayCaster caster = new RayCaster(scene);
             for (int l = 0; l < lights; l++) {
@@ -105,6 +109,12 @@ public final class EmissionGuide {
     }
 
     private void chooseTargets(int index, RayCaster caster) {
+        EmissionBounds emission = scene.light(index).bounds();
+        if (emission != null) {
+            origins[3 * index] = emission.box().minX();
+            origins[3 * index + 1] = emission.box().minY();
+            origins[3 * index + 2] = emission.box().minZ();
+        }
         EmissionSample sample = new EmissionSample();
         SurfacePoint hit = new SurfacePoint();
         if (hits(index, false, caster, sample, hit) >= ENOUGH_HITS) {
@@ -174,8 +184,8 @@ public final class EmissionGuide {
             if (!light.sampleEmission(u, v, left, t, out)) {
                 return false;
             }
-        } else if (!startAtPoint(light, out)) {
-            return false;
+        } else {
+            startAtPoint(index, out);
         }
         SurfacePoint origin = out.point;
         look(index, origin);
@@ -209,15 +219,11 @@ public final class EmissionGuide {
     }
 
     /** Seats the origin of a light at a single point; what else a light sets there is set anew for the direction. */
-    private static boolean startAtPoint(Light light, EmissionSample out) {
-        EmissionBounds bounds = light.bounds();
-        if (bounds == null) {
-            return false;
-        }
+    private void startAtPoint(int index, EmissionSample out) {
         SurfacePoint point = out.point;
-        point.x = bounds.box().minX();
-        point.y = bounds.box().minY();
-        point.z = bounds.box().minZ();
+        point.x = origins[3 * index];
+        point.y = origins[3 * index + 1];
+        point.z = origins[3 * index + 2];
         point.offset = 0;
         point.shape = -1;
         point.primitive = -1;
@@ -225,7 +231,6 @@ public final class EmissionGuide {
         out.densityPosition = 1;
         out.deltaPosition = true;
         out.deltaDirection = false;
-        return true;
     }
 
     /** Sets the radiance times the cosine, or the intensity of a point, in a direction; false if there is none. */

@@ -129,6 +129,19 @@ public final class Plugins {
                 "ptracer",
                 "Particle tracer: renderer 'light'. It cannot show what only specular paths reach.",
                 join(common, join(depths))));
+        list.add(plugin(
+                ObjectKind.INTEGRATOR,
+                "bdpt",
+                "Bidirectional path tracer: renderer 'bidirectional'.",
+                join(
+                        common,
+                        join(
+                                depths,
+                                value(
+                                        "light_image",
+                                        ValueType.BOOLEAN,
+                                        "true",
+                                        "Whether light paths are joined to the lens.")))));
     }
 
     private static void addSamplers(List<PluginDefinition> list) {

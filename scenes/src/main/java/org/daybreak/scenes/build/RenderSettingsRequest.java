@@ -24,6 +24,9 @@ public record RenderSettingsRequest(
     /** Name of the renderer parameter for the depth from which Russian roulette is played. */
     public static final String ROULETTE_DEPTH = "rrDepth";
 
+    /** Name of the renderer parameter for whether light paths are joined to the lens. */
+    public static final String CAUSTIC_MAP = "causticMap";
+
     /** Copies the map. */
     public RenderSettingsRequest {
         parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));

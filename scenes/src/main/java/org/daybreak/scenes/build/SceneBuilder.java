@@ -84,10 +84,17 @@ public final class SceneBuilder {
             context.warning(p.location("hide_emitters"), "'hide_emitters' has no effect: lights stay visible");
         }
         String type = p.object().type();
-        rendererId = type.equals("ptracer") ? "light" : "path";
+        rendererId = switch (type) {
+            case "ptracer" -> "light";
+            case "bdpt" -> "bidirectional";
+            default -> "path";
+        };
         if (type.equals("direct")) {
             parameters.put(RenderSettingsRequest.MAX_DEPTH, "2");
             return;
+        }
+        if (p.has("light_image")) {
+            parameters.put(RenderSettingsRequest.CAUSTIC_MAP, Boolean.toString(p.truth("light_image")));
         }
         if (p.has("max_depth")) {
             if (p.integer("max_depth") == 0) {

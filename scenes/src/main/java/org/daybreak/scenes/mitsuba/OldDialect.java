@@ -24,7 +24,6 @@ final class OldDialect {
     private static final Set<String> GLOBAL = Set.of(
             "volpath",
             "volpath_simple",
-            "bdpt",
             "pssmlt",
             "mlt",
             "erpt",
@@ -120,6 +119,9 @@ final class OldDialect {
             e.warn("strict_normals", "'strictNormals' has no effect");
         }
         e.remove("strict_normals");
+        if (e.type().equals("bdpt")) {
+            e.remove("sample_direct");
+        }
         if (GLOBAL.contains(e.type())) {
             ObjectDescription nested = e.nested(ObjectKind.INTEGRATOR);
             e.warn("", "the integrator '" + e.type() + "' is replaced by 'path'");
