@@ -86,7 +86,6 @@ class ReferenceImagesTest {
     @CsvSource({
         "cornell_spheres, 2, 20, 4, false, 0.01, 0.05, 0.02",
         "gold_ring, 2, 20, 4, true, 0.01, 0.1, 0.05",
-        "veach_room, 2, 25, 4, false, 0.03, 0.05, 0.02",
         "door_ajar, 2, 25, 4, false, 0.35, 0.1, 0.05",
         "cornell_spheres, 1, 20, 4, false, 0.01, 0.05, 0.02",
         "veach_room, 0, 25, 4, true, 0.03, 0.2, 0.1",
