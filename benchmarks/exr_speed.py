@@ -38,7 +38,8 @@ def make_image(kind, size):
 
 def official_write(channels, path, threads):
     header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
-    file = OpenEXR.File(header, channels, num_threads=threads)
+    # A copy: the library puts its own objects into the dictionary.
+    file = OpenEXR.File(header, dict(channels), num_threads=threads)
     start = time.perf_counter()
     file.write(path)
     return time.perf_counter() - start

@@ -119,9 +119,7 @@ final class PathRebuilder {
             chosen = scene.lightSelection()
                     .probability(path.lightIndex, p.x, p.y, p.z, side * p.nx, side * p.ny, side * p.nz);
         }
-        incident = light.isDelta()
-                ? 1
-                : light.incidentDensity(p.x, p.y, p.z, path.points[0], -e[0], -e[1], -e[2]);
+        incident = light.isDelta() ? 1 : light.incidentDensity(p.x, p.y, p.z, path.points[0], -e[0], -e[1], -e[2]);
         nextEvent = chosen * incident * (light.isDelta() ? 1 : toArea(0, 0));
     }
 

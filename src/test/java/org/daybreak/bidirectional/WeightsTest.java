@@ -121,14 +121,7 @@ class WeightsTest {
         private final SplittableRandom random;
         private int checked;
 
-        Check(
-                String name,
-                Scene scene,
-                boolean allLights,
-                int splitting,
-                double exponent,
-                int wanted,
-                long seed) {
+        Check(String name, Scene scene, boolean allLights, int splitting, double exponent, int wanted, long seed) {
             this.name = name;
             this.scene = scene;
             this.camera = scene.camera();
@@ -280,12 +273,12 @@ class WeightsTest {
         }
 
         private void assertClose(double expected, double actual, FullPath path, int vertex, String what) {
-            assertEquals(
-                    expected, actual, TOLERANCE * Math.abs(expected), () -> describe(path, vertex) + ": " + what);
+            assertEquals(expected, actual, TOLERANCE * Math.abs(expected), () -> describe(path, vertex) + ": " + what);
         }
 
         private String describe(FullPath path, int s) {
-            StringBuilder text = new StringBuilder(name).append(", path ").append(checked).append(", ");
+            StringBuilder text =
+                    new StringBuilder(name).append(", path ").append(checked).append(", ");
             for (int i = 0; i <= path.edgeCount(); i++) {
                 text.append(path.delta[i] ? 'S' : i == 0 ? 'L' : i == path.edgeCount() ? 'E' : 'D');
             }

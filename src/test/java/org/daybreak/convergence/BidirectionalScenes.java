@@ -66,8 +66,12 @@ public final class BidirectionalScenes {
     /** All scenes by name. */
     public static Map<String, SceneGraph> all() {
         Map<String, SceneGraph> scenes = new LinkedHashMap<>();
-        scenes.put("empty scene under a panorama", new BidirectionalScenes(1).panorama().view(0).graph);
-        scenes.put("empty scene under a panorama, thin lens", new BidirectionalScenes(2).panorama().view(0.2).graph);
+        scenes.put(
+                "empty scene under a panorama",
+                new BidirectionalScenes(1).panorama().view(0).graph);
+        scenes.put(
+                "empty scene under a panorama, thin lens",
+                new BidirectionalScenes(2).panorama().view(0.2).graph);
         scenes.put(
                 "empty scene under a panorama, environment camera",
                 new BidirectionalScenes(3)
@@ -75,8 +79,12 @@ public final class BidirectionalScenes {
                         .camera(CameraSettings.environment(
                                 Transform.rotate(1, 2, 3, 40).toMatrix4d()))
                         .graph);
-        scenes.put("empty scene under a sky, parallel rays", new BidirectionalScenes(4).heaven().parallel().graph);
-        scenes.put("glass and metal under a panorama", new BidirectionalScenes(5).panorama().balls().view(0).graph);
+        scenes.put(
+                "empty scene under a sky, parallel rays",
+                new BidirectionalScenes(4).heaven().parallel().graph);
+        scenes.put(
+                "glass and metal under a panorama",
+                new BidirectionalScenes(5).panorama().balls().view(0).graph);
         scenes.put(
                 "glass and metal under a panorama, parallel rays",
                 new BidirectionalScenes(6).panorama().balls().parallel().graph);
@@ -86,10 +94,16 @@ public final class BidirectionalScenes {
         scenes.put(
                 "lamp, glass and metal, parallel rays",
                 new BidirectionalScenes(8).hall().lamp().balls().parallel().graph);
-        scenes.put("within glass", new BidirectionalScenes(9).hall().lamp().withinGlass().view(0).graph);
+        scenes.put(
+                "within glass",
+                new BidirectionalScenes(9).hall().lamp().withinGlass().view(0).graph);
         scenes.put("masks", new BidirectionalScenes(10).hall().lamp().masks().view(0).graph);
-        scenes.put("lights of every kind", new BidirectionalScenes(11).everyLight().balls().view(0).graph);
-        scenes.put("mirrored instances of glass", new BidirectionalScenes(12).hall().instances().view(0).graph);
+        scenes.put(
+                "lights of every kind",
+                new BidirectionalScenes(11).everyLight().balls().view(0).graph);
+        scenes.put(
+                "mirrored instances of glass",
+                new BidirectionalScenes(12).hall().instances().view(0).graph);
         for (int i = 0; i < 4; i++) {
             scenes.put(
                     "materials " + (i + 1),
@@ -149,10 +163,7 @@ public final class BidirectionalScenes {
                         .multiply(Transform.rotate(1, 0, 0, -90))
                         .multiply(Transform.scale(1.5, 1.5, 1)),
                 diffuse());
-        add(
-                        new Cube(),
-                        Transform.translate(0, 0.9, -0.6).multiply(Transform.scale(0.2, 0.1, 0.2)),
-                        new NullBsdf())
+        add(new Cube(), Transform.translate(0, 0.9, -0.6).multiply(Transform.scale(0.2, 0.1, 0.2)), new NullBsdf())
                 .setRadiance(color(1, 3));
         add(new Sphere(new Point3d(-1, 0.4, -0.5), 0.2), Transform.identity(), diffuse())
                 .setRadiance(new CheckerboardTexture(color(2, 4), color(0.1, 1), new double[] {4, 0, 0, 0, 4, 0}));
@@ -223,35 +234,37 @@ public final class BidirectionalScenes {
     }
 
     private BidirectionalScenes materials(int group) {
-        List<Bsdf> materials =
-                switch (group) {
-                    case 0 -> List.of(
-                            new Plastic(1.5, 1, color(0.2, 0.8), color(0.5, 1), true),
-                            new RoughPlastic(Microfacet.Kind.GGX, 0.3, 1.5, 1, color(0.2, 0.8), color(0.5, 1), false),
-                            rough(0.4),
-                            new RoughConductor(
-                                    Microfacet.Kind.BECKMANN,
-                                    Roughness.of(ConstantTexture.grey(0.2), ConstantTexture.grey(0.6)),
-                                    new Spectrum(0.2, 0.9, 1.4),
-                                    new Spectrum(3.9, 2.4, 1.6),
-                                    color(0.7, 1)));
-                    case 1 -> List.of(
-                            new ThinDielectric(1.5, 1, color(0.5, 1), color(0.5, 1)),
-                            new Leaf(color(0.1, 0.3), color(0.1, 0.5), color(0.1, 0.4), color(0.1, 0.4)),
-                            phong(0.8, 0.6, 1),
-                            phong(1, 0, 0.5));
-                    case 2 -> List.of(
-                            principled(0.5, 0, 0, 0),
-                            principled(0.4, 0.5, 1, 0),
-                            principled(0.45, 0.3, 0.1, 0.8),
-                            principledThin());
-                    default -> List.of(
-                            new NormalMap(new ConstantTexture(0.6, 0.42, 0.9), diffuse(), true),
-                            new NormalMap(new ConstantTexture(0.55, 0.45, 0.95), rough(0.5), false),
-                            new Blend(ConstantTexture.grey(0.5), glass(), rough(0.3)),
-                            new NormalMap(
-                                    new ConstantTexture(0.55, 0.45, 0.95), Conductor.mirror(color(0.5, 0.9)), true));
-                };
+        List<Bsdf> materials = switch (group) {
+            case 0 ->
+                List.of(
+                        new Plastic(1.5, 1, color(0.2, 0.8), color(0.5, 1), true),
+                        new RoughPlastic(Microfacet.Kind.GGX, 0.3, 1.5, 1, color(0.2, 0.8), color(0.5, 1), false),
+                        rough(0.4),
+                        new RoughConductor(
+                                Microfacet.Kind.BECKMANN,
+                                Roughness.of(ConstantTexture.grey(0.2), ConstantTexture.grey(0.6)),
+                                new Spectrum(0.2, 0.9, 1.4),
+                                new Spectrum(3.9, 2.4, 1.6),
+                                color(0.7, 1)));
+            case 1 ->
+                List.of(
+                        new ThinDielectric(1.5, 1, color(0.5, 1), color(0.5, 1)),
+                        new Leaf(color(0.1, 0.3), color(0.1, 0.5), color(0.1, 0.4), color(0.1, 0.4)),
+                        phong(0.8, 0.6, 1),
+                        phong(1, 0, 0.5));
+            case 2 ->
+                List.of(
+                        principled(0.5, 0, 0, 0),
+                        principled(0.4, 0.5, 1, 0),
+                        principled(0.45, 0.3, 0.1, 0.8),
+                        principledThin());
+            default ->
+                List.of(
+                        new NormalMap(new ConstantTexture(0.6, 0.42, 0.9), diffuse(), true),
+                        new NormalMap(new ConstantTexture(0.55, 0.45, 0.95), rough(0.5), false),
+                        new Blend(ConstantTexture.grey(0.5), glass(), rough(0.3)),
+                        new NormalMap(new ConstantTexture(0.55, 0.45, 0.95), Conductor.mirror(color(0.5, 0.9)), true));
+        };
         for (int i = 0; i < 4; i++) {
             Transform at = Transform.translate(i % 2 - 0.5, i < 2 ? 0.35 : -0.5, -0.4);
             Shape shape = i % 2 == 0 ? new Sphere(new Point3d(0, 0, 0), 1) : CrossScenes.globe(14, 9);
@@ -261,8 +274,7 @@ public final class BidirectionalScenes {
     }
 
     private Bsdf rough(double alpha) {
-        return new RoughDielectric(
-                Microfacet.Kind.GGX, Roughness.of(alpha), 1.5, 1, color(0.7, 1), color(0.7, 1));
+        return new RoughDielectric(Microfacet.Kind.GGX, Roughness.of(alpha), 1.5, 1, color(0.7, 1), color(0.7, 1));
     }
 
     private Bsdf phong(double alpha, double transparency, double shininess) {
@@ -311,8 +323,7 @@ public final class BidirectionalScenes {
     }
 
     private BidirectionalScenes view(double apertureRadius) {
-        return camera(new CameraSettings(
-                position().toMatrix4d(), 65, CameraSettings.FovAxis.X, apertureRadius, 1.3));
+        return camera(new CameraSettings(position().toMatrix4d(), 65, CameraSettings.FovAxis.X, apertureRadius, 1.3));
     }
 
     private BidirectionalScenes parallel() {

@@ -116,64 +116,65 @@ class DiagnosticScenesTest {
             "mirror_corridor/scene.xml",
             "glass_shell/scene.xml");
 
-    private static final List<Subject> SUBJECTS = Stream.concat(single(), bidirectional()).toList();
+    private static final List<Subject> SUBJECTS =
+            Stream.concat(single(), bidirectional()).toList();
 
     private static Stream<Subject> single() {
         return Stream.of(
-            exact("furnace_sphere/scene_mirror.xml", "path", Map.of()),
-            exact("furnace_sphere/scene_mirror.xml", "raytracer", Map.of()),
-            // Each reflection within the sphere has probability 0.04 or so and weight 1.
-            exact("furnace_sphere/scene_glass.xml", "path", NO_ROULETTE),
-            exact("furnace_sphere/scene_glass.xml", "raytracer", Map.of()),
-            exact("furnace_box/scene_depth1.xml", "path", Map.of()),
-            exact("furnace_box/scene_depth1.xml", "raytracer", Map.of()),
-            exact("mirror_corridor/scene.xml", "path", NO_ROULETTE),
-            exact("mirror_corridor/scene.xml", "raytracer", Map.of()),
-            // One path in ten thousand is ended by roulette: only the whole image has enough of them for a t-test.
-            mean("furnace_sphere/scene_glass.xml", "path", 32, 64, 0.03),
-            mean("furnace_sphere/scene_diffuse1.xml", "path", 8, 8, 0.03),
-            mean("furnace_sphere/scene_diffuse1.xml", "raytracer", 8, 8, 0.03),
-            mean("furnace_sphere/scene_diffuse1.xml", "light", 8, 64, 0.03),
-            mean("furnace_sphere/scene_diffuse05.xml", "path", 8, 8, 0.03),
-            mean("furnace_sphere/scene_diffuse05.xml", "raytracer", 8, 8, 0.03),
-            mean("furnace_sphere/scene_diffuse05.xml", "light", 8, 64, 0.03),
-            mean("furnace_box/scene_depth1.xml", "light", 8, 16, 0.03),
-            mean("furnace_box/scene_depth2.xml", "path", 8, 4, 0.03),
-            mean("furnace_box/scene_depth2.xml", "raytracer", 8, 8, 0.03),
-            mean("furnace_box/scene_depth2.xml", "light", 8, 16, 0.03),
-            mean("furnace_box/scene_depth3.xml", "path", 8, 4, 0.03),
-            mean("furnace_box/scene_depth3.xml", "light", 8, 16, 0.03),
-            mean("furnace_box/scene_depth4.xml", "path", 8, 4, 0.03),
-            mean("furnace_box/scene_depth4.xml", "light", 8, 16, 0.03),
-            mean("furnace_box/scene_depthinf.xml", "path", 8, 4, 0.03),
-            mean("furnace_box/scene_depthinf.xml", "light", 8, 16, 0.03),
-            mean("point_plane/scene.xml", "path", 8, 8, 0.03),
-            mean("point_plane/scene.xml", "raytracer", 8, 8, 0.03),
-            mean("point_plane/scene.xml", "light", 8, 16, 0.03),
-            mean("disk_light/scene.xml", "path", 8, 8, 0.03),
-            mean("disk_light/scene.xml", "raytracer", 8, 8, 0.03),
-            mean("disk_light/scene.xml", "light", 8, 16, 0.03),
-            mean("rect_light/scene.xml", "path", 8, 8, 0.03),
-            mean("rect_light/scene.xml", "raytracer", 8, 8, 0.03),
-            mean("rect_light/scene.xml", "light", 8, 16, 0.03),
-            mean("sphere_light/scene.xml", "path", 8, 8, 0.03),
-            mean("sphere_light/scene.xml", "raytracer", 8, 8, 0.03),
-            mean("sphere_light/scene.xml", "light", 8, 16, 0.03),
-            mean("two_squares/scene_direct.xml", "path", 8, 8, 0.03),
-            mean("two_squares/scene_direct.xml", "raytracer", 8, 8, 0.03),
-            mean("two_squares/scene_direct.xml", "light", 8, 16, 0.03),
-            mean("concentric_spheres/scene.xml", "path", 8, 8, 0.03),
-            mean("concentric_spheres/scene.xml", "light", 8, 16, 0.03),
-            mean("parallel_planes/scene.xml", "path", 8, 8, 0.03),
-            new Subject("parallel_planes/scene.xml", "light", Map.of(), Comparison.MEAN_OF_FLOOR, 8, 16, 0.03),
-            mean("glass_slab/scene.xml", "path", 8, 8, 0.03),
-            new Subject("glass_slab/scene.xml", "light", Map.of(), Comparison.MEAN_OF_FLOOR, 8, 16, 0.03),
-            mean("mirror_corridor/scene.xml", "path", 8, 8, 0.03),
-            // Mirrors are no place from which a light subpath can be joined to the lens.
-            new Subject("mirror_corridor/scene.xml", "light", Map.of(), Comparison.MEAN_OF_EMITTER, 32, 16, 0.05),
-            new Subject("glass_shell/scene.xml", "path", Map.of(), Comparison.BLACK, 1, 8, 0),
-            new Subject("glass_shell/scene.xml", "raytracer", Map.of(), Comparison.BLACK, 1, 8, 0),
-            mean("glass_shell/scene.xml", "light", 8, 32, 0.03));
+                exact("furnace_sphere/scene_mirror.xml", "path", Map.of()),
+                exact("furnace_sphere/scene_mirror.xml", "raytracer", Map.of()),
+                // Each reflection within the sphere has probability 0.04 or so and weight 1.
+                exact("furnace_sphere/scene_glass.xml", "path", NO_ROULETTE),
+                exact("furnace_sphere/scene_glass.xml", "raytracer", Map.of()),
+                exact("furnace_box/scene_depth1.xml", "path", Map.of()),
+                exact("furnace_box/scene_depth1.xml", "raytracer", Map.of()),
+                exact("mirror_corridor/scene.xml", "path", NO_ROULETTE),
+                exact("mirror_corridor/scene.xml", "raytracer", Map.of()),
+                // One path in ten thousand is ended by roulette: only the whole image has enough of them for a t-test.
+                mean("furnace_sphere/scene_glass.xml", "path", 32, 64, 0.03),
+                mean("furnace_sphere/scene_diffuse1.xml", "path", 8, 8, 0.03),
+                mean("furnace_sphere/scene_diffuse1.xml", "raytracer", 8, 8, 0.03),
+                mean("furnace_sphere/scene_diffuse1.xml", "light", 8, 64, 0.03),
+                mean("furnace_sphere/scene_diffuse05.xml", "path", 8, 8, 0.03),
+                mean("furnace_sphere/scene_diffuse05.xml", "raytracer", 8, 8, 0.03),
+                mean("furnace_sphere/scene_diffuse05.xml", "light", 8, 64, 0.03),
+                mean("furnace_box/scene_depth1.xml", "light", 8, 16, 0.03),
+                mean("furnace_box/scene_depth2.xml", "path", 8, 4, 0.03),
+                mean("furnace_box/scene_depth2.xml", "raytracer", 8, 8, 0.03),
+                mean("furnace_box/scene_depth2.xml", "light", 8, 16, 0.03),
+                mean("furnace_box/scene_depth3.xml", "path", 8, 4, 0.03),
+                mean("furnace_box/scene_depth3.xml", "light", 8, 16, 0.03),
+                mean("furnace_box/scene_depth4.xml", "path", 8, 4, 0.03),
+                mean("furnace_box/scene_depth4.xml", "light", 8, 16, 0.03),
+                mean("furnace_box/scene_depthinf.xml", "path", 8, 4, 0.03),
+                mean("furnace_box/scene_depthinf.xml", "light", 8, 16, 0.03),
+                mean("point_plane/scene.xml", "path", 8, 8, 0.03),
+                mean("point_plane/scene.xml", "raytracer", 8, 8, 0.03),
+                mean("point_plane/scene.xml", "light", 8, 16, 0.03),
+                mean("disk_light/scene.xml", "path", 8, 8, 0.03),
+                mean("disk_light/scene.xml", "raytracer", 8, 8, 0.03),
+                mean("disk_light/scene.xml", "light", 8, 16, 0.03),
+                mean("rect_light/scene.xml", "path", 8, 8, 0.03),
+                mean("rect_light/scene.xml", "raytracer", 8, 8, 0.03),
+                mean("rect_light/scene.xml", "light", 8, 16, 0.03),
+                mean("sphere_light/scene.xml", "path", 8, 8, 0.03),
+                mean("sphere_light/scene.xml", "raytracer", 8, 8, 0.03),
+                mean("sphere_light/scene.xml", "light", 8, 16, 0.03),
+                mean("two_squares/scene_direct.xml", "path", 8, 8, 0.03),
+                mean("two_squares/scene_direct.xml", "raytracer", 8, 8, 0.03),
+                mean("two_squares/scene_direct.xml", "light", 8, 16, 0.03),
+                mean("concentric_spheres/scene.xml", "path", 8, 8, 0.03),
+                mean("concentric_spheres/scene.xml", "light", 8, 16, 0.03),
+                mean("parallel_planes/scene.xml", "path", 8, 8, 0.03),
+                new Subject("parallel_planes/scene.xml", "light", Map.of(), Comparison.MEAN_OF_FLOOR, 8, 16, 0.03),
+                mean("glass_slab/scene.xml", "path", 8, 8, 0.03),
+                new Subject("glass_slab/scene.xml", "light", Map.of(), Comparison.MEAN_OF_FLOOR, 8, 16, 0.03),
+                mean("mirror_corridor/scene.xml", "path", 8, 8, 0.03),
+                // Mirrors are no place from which a light subpath can be joined to the lens.
+                new Subject("mirror_corridor/scene.xml", "light", Map.of(), Comparison.MEAN_OF_EMITTER, 32, 16, 0.05),
+                new Subject("glass_shell/scene.xml", "path", Map.of(), Comparison.BLACK, 1, 8, 0),
+                new Subject("glass_shell/scene.xml", "raytracer", Map.of(), Comparison.BLACK, 1, 8, 0),
+                mean("glass_shell/scene.xml", "light", 8, 32, 0.03));
     }
 
     /** All scenes, and some with limits of depth that leave all light to be found. */
@@ -239,8 +240,8 @@ class DiagnosticScenesTest {
         try (Stream<Path> files = Files.walk(folder, 2)) {
             files.filter(file -> file.getFileName().toString().endsWith(".xml"))
                     .map(file -> folder.relativize(file).toString().replace('\\', '/'))
-                    .forEach(scene -> wanted.addAll(
-                            List.of(scene + " path", scene + " light", scene + " bidirectional")));
+                    .forEach(scene ->
+                            wanted.addAll(List.of(scene + " path", scene + " light", scene + " bidirectional")));
         }
         Set<String> covered = SUBJECTS.stream()
                 .filter(subject -> !subject.renderer.equals("raytracer"))

@@ -212,8 +212,7 @@ class ReferenceImagesTest {
         Map<String, String> parameters = new HashMap<>(file.request().parameters());
         Runs path = Runs.of(Rendering.renderer("path", parameters), scene, 5500, RUNS, samplesPerPixel);
         parameters.put("heuristicExponent", exponent);
-        Runs both = Runs.of(
-                Rendering.renderer("bidirectional", parameters), scene, 6500, RUNS, bidirectionalSamples);
+        Runs both = Runs.of(Rendering.renderer("bidirectional", parameters), scene, 6500, RUNS, bidirectionalSamples);
         int tile = 6;
         boolean rare = !name.equals("cornell_spheres");
         expectAgreement(name, path, tile, ReferenceImage.of(both, tile), 1, rare, 0.2, outliers, detectable);

@@ -182,7 +182,9 @@ record DeviationAllocation(int firstPass, boolean relative, double uniformShare)
     }
 
     private static double threshold(int pixel, int width) {
-        double t = (pixel % width) * COLUMN_STEP + (pixel / width) * ROW_STEP;
+        int row = pixel / width;
+        int column = pixel - row * width;
+        double t = column * COLUMN_STEP + row * ROW_STEP;
         return t - Math.floor(t);
     }
 

@@ -191,7 +191,7 @@ class TechniquesTest {
                 return;
             }
             int k = c.s + c.t - 1;
-            int tile = (int) (c.filmY / TILE) * (SIZE / TILE) + (int) (c.filmX / TILE);
+            int tile = ((int) (c.filmY / TILE)) * (SIZE / TILE) + (int) (c.filmX / TILE);
             // Splats of all samples land in a pixel, and each stands for as many pixels as there are.
             double samples = (c.t == 1 ? (double) SIZE * SIZE : 1) * samplesPerPixel * TILE * TILE;
             double value = Spectrum.luminance(c.r, c.g, c.b) / samples;

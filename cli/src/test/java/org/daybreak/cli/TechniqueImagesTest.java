@@ -176,7 +176,7 @@ class TechniqueImagesTest {
     void neitherPartsNorCheckpoints(String options) throws IOException {
         List<Object> args = new ArrayList<>(List.of("render", scene, "--renderer", "bidirectional"));
         args.addAll(List.of("-P", "techniques=" + folder.resolve("views")));
-        for (String option : options.split(" ")) {
+        for (String option : options.split(" ", -1)) {
             args.add(option.endsWith(".daybreak") ? folder.resolve(option) : option);
         }
         if (!options.contains("-o")) {
