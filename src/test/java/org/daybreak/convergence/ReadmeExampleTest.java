@@ -20,13 +20,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Compiles and runs the Java lines of the README as they stand there: the block after the mark
- * {@code <!-- example: SmallScene -->}, as the body of {@code main} under imports of whole packages.
+ * Compiles and runs the Java lines of the README and compiles those of the user guide, as they stand there: the block after a
+ * mark such as {@code <!-- example: SmallScene -->}, as the body of {@code main} under imports of whole packages.
  */
 class ReadmeExampleTest {
-    private static final Pattern BLOCK =
-            Pattern.compile("<!-- example: SmallScene -->\\s*```java\\R(.*?)\\R```", Pattern.DOTALL);
-
     private static final List<String> IMPORTS = List.of(
             "java.nio.file.*",
             "java.util.*",
@@ -40,14 +37,12 @@ class ReadmeExampleTest {
             "org.daybreak.core.math.*",
             "org.daybreak.core.render.*",
             "org.daybreak.core.scene.*",
-            "org.daybreak.exr.*");
+            "org.daybreak.exr.*",
+            "org.daybreak.scenes.*");
 
     @Test
     void exampleRendersAPicture(@TempDir Path folder) throws IOException, InterruptedException {
-        String readme = Files.readString(ShippedScenes.repository().resolve("README.md"), StandardCharsets.UTF_8);
-        Matcher block = BLOCK.matcher(readme);
-        assertTrue(block.find(), "README.md has no Java block after <!-- example: SmallScene -->");
-        compile(folder, block.group(1));
+        compile(folder, block("README.md", "SmallScene"));
         String output = run(folder);
 
         assertTrue(Pattern.compile("\\b100\\b").matcher(output).find(), () -> "no progress up to 100 %: " + output);
@@ -57,6 +52,19 @@ class ReadmeExampleTest {
         }
         assertEquals(1, images.size(), () -> "files written: " + images);
         checkImage(ExrReader.read(images.get(0)));
+    }
+
+    @Test
+    void exampleOfTheGuideCompiles(@TempDir Path folder) throws IOException {
+        compile(folder, block("docs/guide.md", "RenderFile"));
+    }
+
+    private static String block(String file, String mark) throws IOException {
+        String page = Files.readString(ShippedScenes.repository().resolve(file), StandardCharsets.UTF_8);
+        Matcher block = Pattern.compile("<!-- example: " + mark + " -->\\s*```java\\R(.*?)\\R```", Pattern.DOTALL)
+                .matcher(page);
+        assertTrue(block.find(), () -> file + " has no Java block after <!-- example: " + mark + " -->");
+        return block.group(1);
     }
 
     private static void compile(Path folder, String body) throws IOException {
@@ -72,7 +80,7 @@ class ReadmeExampleTest {
         try (var files = compiler.getStandardFileManager(null, null, StandardCharsets.UTF_8)) {
             boolean compiled = compiler.getTask(messages, files, null, options, null, files.getJavaFileObjects(file))
                     .call();
-            assertTrue(compiled, () -> "the lines of the README do not compile:\n" + messages + source);
+            assertTrue(compiled, () -> "the lines do not compile:\n" + messages + source);
         }
     }
 
