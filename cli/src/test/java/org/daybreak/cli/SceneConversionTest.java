@@ -37,7 +37,10 @@ class SceneConversionTest {
         for (String place : new String[] {"scenes", "src/test/resources/agreement"}) {
             try (Stream<Path> files = Files.walk(ROOT.resolve(place))) {
                 files.filter(file -> file.toString().endsWith(".xml"))
-                        .filter(file -> !file.toString().matches(".*[/\\\\](src[/\\\\]main|target|pom\\.xml).*"))
+                        .filter(
+                                file -> !file.toString()
+                                        .matches(
+                                                ".*[/\\\\](src[/\\\\]main|target|pom\\.xml|stages[/\\\\]|\\w*FuzzTestInputs).*"))
                         .sorted()
                         .forEach(scenes::add);
             }
