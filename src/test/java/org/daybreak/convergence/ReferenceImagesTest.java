@@ -80,12 +80,14 @@ class ReferenceImagesTest {
 
     /**
      * The same for bidirectional path tracing. Rare are the caustics of the ring, as few light paths start at the lamp that makes
-     * them, and with equal weights the paths that a poor technique finds.
+     * them, and with equal weights the paths that a poor technique finds. The room with larger exponents is missing: a fifth of a per cent
+     * of its light comes through glass twice (S D S) into single pixels of the egg, 0.16 % into one of them, and these runs find
+     * none of it, while the noise of all else is less than that.
      */
     @ParameterizedTest
     @CsvSource({
         "cornell_spheres, 2, 20, 4, false, 0.01, 0.05, 0.02",
-        "gold_ring, 2, 20, 4, true, 0.01, 0.1, 0.05",
+        "gold_ring, 2, 20, 48, true, 0.01, 0.1, 0.05",
         "door_ajar, 2, 25, 4, false, 0.35, 0.1, 0.05",
         "cornell_spheres, 1, 20, 4, false, 0.01, 0.05, 0.02",
         "veach_room, 0, 25, 4, true, 0.03, 0.2, 0.1",
@@ -109,11 +111,9 @@ class ReferenceImagesTest {
     @ParameterizedTest
     @CsvSource({
         "cornell_spheres, 2, 10, 4, false, 0.01, 0.05, 0.01",
-        "gold_ring, 2, 20, 4, true, 0.05, 0.1, 0.05",
-        "veach_room, 2, 10, 4, false, 0.35, 0.05, 0.02",
+        "gold_ring, 2, 20, 16, true, 0.05, 0.1, 0.05",
         "door_ajar, 2, 10, 4, false, 0.35, 0.1, 0.03",
         "cornell_spheres, 0, 10, 4, false, 0.01, 0.05, 0.02",
-        "veach_room, 1, 10, 4, false, 0.35, 0.05, 0.02",
     })
     void bidirectionalPathTracingAgrees(
             String scene,
