@@ -17,7 +17,8 @@ import org.daybreak.core.material.NullBsdf;
  * two neighbours with the factor |cos θ|·η′/η of the side that is left to (η′ there, η where the walk came from) in place of a
  * density per solid angle: the conserved étendue makes the infinite factors of the two directions cancel up to just that.
  * Its discrete probability, that of passing alpha masks and of surviving Russian roulette are the same in all ways to make a path, or left
- * out in all, and appear in neither. Where an eye subpath splits into n, the density of the next vertex counts n times: there are n
+ * out in all, and appear in neither; but the material of a mask that covers a part has the opacity in its density of scattering, so that
+ * weights of paths which scatter there are not quite those of the true densities. Where an eye subpath splits into n, the density of the next vertex counts n times: there are n
  * samples of it.
  */
 public final class PathValues {
