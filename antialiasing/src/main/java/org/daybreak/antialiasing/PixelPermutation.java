@@ -7,13 +7,12 @@ import org.daybreak.core.sampling.Mixing;
  * of a film numbered row by row it visits each of them once per round, in an order that differs from round to round, however
  * large the film and whoever asks.
  *
- * <p>A Feistel network on the words of the smallest number of bits that hold all numbers — the halves of the word are changed in
- * turn by a hash of the other one (Luby and Rackoff, SIAM J. Computing 17(2), 1988) — iterated until it leads to one of the
- * numbers (cycle walking: Black and Rogaway, “Ciphers with Arbitrary Finite Domains”, CT-RSA 2002, section 3), which takes less
- * than two iterations on average.
+ * <p>It is a swap-or-not shuffle (Hoang, Morris and Rogaway, “An Enciphering Scheme Based on a Card Shuffle”, CRYPTO 2012): in each
+ * round the numbers are paired, x with K − x modulo n for a random K, and a random bit of each pair tells whether the two change
+ * places. By their theorem 2, what few places can tell from a uniformly drawn order halves with every other round.
  */
 public final class PixelPermutation {
-    private static final int ROUNDS = 4;
+    private static final int ROUNDS = 32;
 
     private PixelPermutation() {}
 
@@ -21,29 +20,21 @@ public final class PixelPermutation {
      * The number at a place of a random order of 0 … n − 1.
      *
      * @param index place in the order, from 0 to n − 1
-     * @param n how many numbers there are, at least 1
+     * @param n how many numbers there are, from 1 to 2⁶²
      * @param key selects the order
      * @return from 0 to n − 1; different for different places
      */
     public static long permute(long index, long n, long key) {
-        if (n == 1) {
-            return 0;
-        }
         long hashed = Mixing.mix64(key + Mixing.GOLDEN_GAMMA);
-        int bits = Long.SIZE - Long.numberOfLeadingZeros(n - 1);
-        int lowBits = (bits + 1) >>> 1;
-        long lowMask = (1L << lowBits) - 1;
-        long highMask = (1L << (bits - lowBits)) - 1;
         long x = index;
-        do {
-            long low = x & lowMask;
-            long high = x >>> lowBits;
-            for (int round = 0; round < ROUNDS; round++) {
-                low ^= Mixing.absorb(hashed + 2L * round, high) & lowMask;
-                high ^= Mixing.absorb(hashed + 2L * round + 1, low) & highMask;
+        for (int round = 0; round < ROUNDS; round++) {
+            long word = Mixing.absorb(hashed, round);
+            long partner = Math.multiplyHigh(word >>> 1, n << 1) - x;
+            partner += partner < 0 ? n : 0;
+            if ((Mixing.absorb(word, Math.max(x, partner)) & 1) != 0) {
+                x = partner;
             }
-            x = high << lowBits | low;
-        } while (x >= n);
+        }
         return x;
     }
 }
