@@ -84,36 +84,45 @@ final class CausticMap {
      *
      * @param path the subpath; of length 0 if nothing was emitted
      * @param index its light
+     * @param minVertices smallest number of vertices of a full path
      * @param maxVertices largest number of vertices of a full path
      */
-    void add(PathValues path, int index, int subpath, long maxVertices, Sampler sampler) {
-        Light light = scene.light(index);
-        if (emitters && !light.isDelta() && maxVertices >= 2) {
-            addEmitter(path, light, index, subpath, sampler);
+    void add(PathValues path, int index, int subpath, long minVertices, long maxVertices, Sampler sampler) {
+        if (minVertices <= 2 && maxVertices >= 2) {
+            addEmitter(path, index, subpath, sampler);
         }
-        for (int e = 1; e < path.length() && e + 2 <= maxVertices; e++) {
-            if (!path.connectable[e]) {
-                continue;
-            }
-            lensU = 0.5;
-            lensV = 0.5;
-            if (lensArea) {
-                sampler.setDimension(Dimensions.lightPath(path.surface[e], subpath) + 2);
-                lensU = sampler.next();
-                lensV = sampler.next();
-            }
-            SurfacePoint y = path.points[e];
-            Bsdf bsdf = path.bsdfs[e];
-            if (lens.aimFromSurface(y, bsdf, path.backX[e], path.backY[e], path.backZ[e], lensU, lensV)) {
-                double weight = complement.lens(
-                        path, e + 1, lens.lens().wiX, lens.lens().wiY, lens.lens().wiZ, lens.filmDensity());
-                splat(y, e + 1, index, weight, path.throughputR[e], path.throughputG[e], path.throughputB[e]);
-            }
+        for (int e = (int) Math.max(1, minVertices - 2); e < path.length() && e + 2 <= maxVertices; e++) {
+            addVertex(path, e, index, subpath, sampler);
         }
     }
 
-    /** The emitter itself as the lens sees it, s = 1. */
-    private void addEmitter(PathValues path, Light light, int index, int subpath, Sampler sampler) {
+    /** Joins a vertex behind the first one of a light subpath to the lens, s ≥ 2. */
+    void addVertex(PathValues path, int e, int index, int subpath, Sampler sampler) {
+        if (!path.connectable[e]) {
+            return;
+        }
+        lensU = 0.5;
+        lensV = 0.5;
+        if (lensArea) {
+            sampler.setDimension(Dimensions.lightPath(path.surface[e], subpath) + 2);
+            lensU = sampler.next();
+            lensV = sampler.next();
+        }
+        SurfacePoint y = path.points[e];
+        Bsdf bsdf = path.bsdfs[e];
+        if (lens.aimFromSurface(y, bsdf, path.backX[e], path.backY[e], path.backZ[e], lensU, lensV)) {
+            double weight =
+                    complement.lens(path, e + 1, lens.lens().wiX, lens.lens().wiY, lens.lens().wiZ, lens.filmDensity());
+            splat(y, e + 1, index, weight, path.throughputR[e], path.throughputG[e], path.throughputB[e]);
+        }
+    }
+
+    /** The emitter itself as the lens sees it, s = 1, where that is done. */
+    void addEmitter(PathValues path, int index, int subpath, Sampler sampler) {
+        Light light = scene.light(index);
+        if (!emitters || light.isDelta()) {
+            return;
+        }
         lensU = 0.5;
         lensV = 0.5;
         if (lensArea) {

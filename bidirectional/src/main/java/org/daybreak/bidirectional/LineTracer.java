@@ -42,7 +42,8 @@ public final class LineTracer {
         void met(PathValues path);
     }
 
-    private static final Emission NO_EMISSION = path -> {};
+    /** Told of emission and does not care. */
+    static final Emission NO_EMISSION = path -> {};
 
     private final Scene scene;
     private final Camera camera;

@@ -23,7 +23,6 @@ import org.daybreak.tracing.RaySample;
 final class MetropolisProcessor implements ChainWorker {
     private final Scene scene;
     private final long seed;
-    private final int shortest;
     private final boolean expectedValues;
     private final long strideOfStrata;
     private final double pixels;
@@ -48,7 +47,6 @@ final class MetropolisProcessor implements ChainWorker {
     /**
      * Creates a worker.
      *
-     * @param shortest smallest number of edges of the paths that count
      * @param expectedValues whether both states of a step are deposited
      * @param chains number of chains of the render
      */
@@ -56,14 +54,12 @@ final class MetropolisProcessor implements ChainWorker {
             Scene scene,
             Camera camera,
             long seed,
-            int shortest,
             BidirectionalSettings bidirectional,
             List<MutationStrategy> strategies,
             boolean expectedValues,
             int chains) {
         this.scene = scene;
         this.seed = seed;
-        this.shortest = shortest;
         this.expectedValues = expectedValues;
         strideOfStrata = chains;
         width = camera.width();
@@ -105,9 +101,8 @@ final class MetropolisProcessor implements ChainWorker {
     }
 
     private void found(Contribution path) {
-        int edges = path.lightVertices() + path.eyeVertices() - 1;
         double luminance = path.weight() * Spectrum.luminance(path.red(), path.green(), path.blue());
-        if (edges < shortest || !(luminance > 0)) {
+        if (!(luminance > 0)) {
             return;
         }
         int number = counted++;

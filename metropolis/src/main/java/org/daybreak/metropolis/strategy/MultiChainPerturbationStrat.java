@@ -12,6 +12,8 @@ import org.daybreak.metropolis.Outcome;
  * vertex over that of the chain.
  */
 public final class MultiChainPerturbationStrat extends MutationStrategy {
+    private final double smallestJump;
+    private final double largestJump;
     private final double smallest;
     private final double largest;
 
@@ -19,11 +21,16 @@ public final class MultiChainPerturbationStrat extends MutationStrategy {
      * Creates the strategy.
      *
      * @param weight relative probability of choosing it
-     * @param smallest r₁, in pixels
-     * @param largest r₂, in pixels
+     * @param smallestJump of the image point, in pixels
+     * @param largestJump of the image point, in pixels
+     * @param smallest of the further chains' directions, in pixels that it corresponds to
+     * @param largest of the further chains' directions, in pixels that it corresponds to
      */
-    public MultiChainPerturbationStrat(double weight, double smallest, double largest) {
+    public MultiChainPerturbationStrat(
+            double weight, double smallestJump, double largestJump, double smallest, double largest) {
         super(weight);
+        this.smallestJump = smallestJump;
+        this.largestJump = largestJump;
         this.smallest = smallest;
         this.largest = largest;
     }
@@ -71,7 +78,7 @@ public final class MultiChainPerturbationStrat extends MutationStrategy {
         int d = LensPiece.diffuse(x);
         int last = end(x, d);
         move.set(last - 1, x.length, x.length);
-        if (!LensPiece.perturbFilm(x, y, smallest, largest, builder, random)) {
+        if (!LensPiece.perturbFilm(x, y, smallestJump, largestJump, builder, random)) {
             return false;
         }
         while (d > last) {
