@@ -57,14 +57,20 @@ public final class SplatBuffer {
         return used / STRIDE;
     }
 
-    /** Film position in pixels of a splat. */
+    /** Film x of a splat, in pixels. */
     public double filmX(int splat) {
-        return splats[STRIDE * splat];
+        return splats[splat * STRIDE];
     }
 
-    /** Film position in pixels, downwards, of a splat. */
+    /** Film y of a splat, in pixels. */
     public double filmY(int splat) {
-        return splats[STRIDE * splat + 1];
+        return splats[splat * STRIDE + 1];
+    }
+
+    /** Luminance of a splat. */
+    public double luminance(int splat) {
+        int at = splat * STRIDE;
+        return Spectrum.luminance(splats[at + 2], splats[at + 3], splats[at + 4]);
     }
 
     /**
@@ -73,7 +79,7 @@ public final class SplatBuffer {
      * @param component 0 red, 1 green, 2 blue
      */
     public double value(int splat, int component) {
-        return splats[STRIDE * splat + 2 + component];
+        return splats[splat * STRIDE + 2 + component];
     }
 
     /** Film x, film y, red, green and blue of each splat; the first {@code STRIDE·size()} entries count. */
