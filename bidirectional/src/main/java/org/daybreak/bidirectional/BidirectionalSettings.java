@@ -1,5 +1,6 @@
 package org.daybreak.bidirectional;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterException;
@@ -17,6 +18,8 @@ import org.daybreak.core.render.ParameterValues;
  * @param splitting number of ways in which an eye subpath goes on from the first surface that scatters diffusely
  * @param allLights whether each sample has a light subpath and a light sample for every light, or for one that is chosen
  * @param causticMap whether light subpaths are joined to the lens
+ * @param minDepth smallest number of edges of the full paths that count: shorter ones are left out, which does not change the weights
+ *     of the others
  */
 public record BidirectionalSettings(
         int maxEyeDepth,
@@ -27,7 +30,8 @@ public record BidirectionalSettings(
         int rrDepth,
         int splitting,
         boolean allLights,
-        boolean causticMap) {
+        boolean causticMap,
+        int minDepth) {
     /** Where Russian roulette is played. */
     public enum Roulette {
         /** Nowhere: the limits of depth end paths. */
@@ -38,8 +42,7 @@ public record BidirectionalSettings(
         EFFICIENCY
     }
 
-    /** The parameters from which the settings are made. */
-    static final List<Parameter> PARAMETERS = List.of(
+    private static final List<Parameter> PATHS = List.of(
             depth(
                     "maxEyeDepth",
                     "Max. eye path depth",
@@ -62,7 +65,26 @@ public record BidirectionalSettings(
                     0,
                     1000,
                     "Exponent β of the heuristic that weights the ways to make a path: 0 for equal weights, 1 for the"
-                            + " balance heuristic, 2 for the power heuristic. Does not change the mean."),
+                            + " balance heuristic, 2 for the power heuristic. Does not change the mean."));
+
+    private static final Parameter RR_DEPTH = Parameter.integer(
+            "rrDepth",
+            "Russian roulette from depth",
+            3,
+            1,
+            Integer.MAX_VALUE,
+            "Number of edges from which on a subpath may be ended at random. Does not change the mean.");
+
+    private static final Parameter CAUSTIC_MAP = Parameter.flag(
+            "causticMap",
+            "Caustic map",
+            true,
+            "Whether light paths are joined to the lens, which finds caustics and what else light paths bring"
+                    + " there. Without, light that no other way finds is missing.");
+
+    /** The parameters from which the settings are made. */
+    static final List<Parameter> PARAMETERS = joined(
+            PATHS,
             Parameter.choice(
                     "russianRoulette",
                     "Russian roulette",
@@ -71,13 +93,7 @@ public record BidirectionalSettings(
                     "none: limits of depth alone end paths; throughput: paths end in proportion to what they can still"
                             + " contribute; efficiency: besides, occlusion tests of small contributions are left out at"
                             + " random. Does not change the mean."),
-            Parameter.integer(
-                    "rrDepth",
-                    "Russian roulette from depth",
-                    3,
-                    1,
-                    Integer.MAX_VALUE,
-                    "Number of edges from which on a subpath may be ended at random. Does not change the mean."),
+            RR_DEPTH,
             Parameter.integer(
                     "splitting",
                     "Eye paths from the first diffuse surface",
@@ -94,12 +110,26 @@ public record BidirectionalSettings(
                     List.of("one", "all"),
                     "one: a light is chosen by its power for the light path, and by its effect for each light sample;"
                             + " all: every light gets a light path and a light sample. Does not change the mean."),
-            Parameter.flag(
-                    "causticMap",
-                    "Caustic map",
-                    true,
-                    "Whether light paths are joined to the lens, which finds caustics and what else light paths bring"
-                            + " there. Without, light that no other way finds is missing."));
+            CAUSTIC_MAP);
+
+    /** The parameters of algorithms whose states are single samples: {@link #ofSingleSamples} makes settings from them. */
+    public static final List<Parameter> SINGLE_SAMPLE_PARAMETERS = joined(
+            PATHS,
+            Parameter.choice(
+                    "russianRoulette",
+                    "Russian roulette",
+                    "throughput",
+                    List.of("none", "throughput"),
+                    "none: limits of depth alone end paths; throughput: paths end in proportion to what they can still"
+                            + " contribute. Does not change the mean."),
+            RR_DEPTH,
+            CAUSTIC_MAP);
+
+    private static List<Parameter> joined(List<Parameter> first, Parameter... others) {
+        List<Parameter> all = new ArrayList<>(first);
+        all.addAll(List.of(others));
+        return List.copyOf(all);
+    }
 
     private static Parameter depth(String name, String label, String doc) {
         return Parameter.integer(name, label, -1, -1, Integer.MAX_VALUE, doc);
@@ -109,6 +139,7 @@ public record BidirectionalSettings(
      * Checks what the ranges of the single values do not say.
      *
      * @throws ParameterException if a depth is 0, if nothing can be rendered, or if paths would never end
+     * @throws IllegalArgumentException if the smallest number of edges is not positive
      */
     public BidirectionalSettings {
         requireDepth("maxEyeDepth", maxEyeDepth);
@@ -121,6 +152,33 @@ public record BidirectionalSettings(
             throw new ParameterException(
                     "without Russian roulette paths need a limit: set maxDepth, or maxEyeDepth" + " and maxLightDepth");
         }
+        if (minDepth < 1) {
+            throw new IllegalArgumentException("paths have at least 1 edge: " + minDepth);
+        }
+    }
+
+    /** Settings with which paths of all lengths count. */
+    public BidirectionalSettings(
+            int maxEyeDepth,
+            int maxLightDepth,
+            int maxDepth,
+            double heuristicExponent,
+            Roulette roulette,
+            int rrDepth,
+            int splitting,
+            boolean allLights,
+            boolean causticMap) {
+        this(
+                maxEyeDepth,
+                maxLightDepth,
+                maxDepth,
+                heuristicExponent,
+                roulette,
+                rrDepth,
+                splitting,
+                allLights,
+                causticMap,
+                1);
     }
 
     private static void requireDepth(String name, int depth) {
@@ -148,8 +206,59 @@ public record BidirectionalSettings(
                 values.flag("causticMap"));
     }
 
+    /**
+     * Settings of an algorithm whose states are single samples: {@link #singleSample} at once.
+     *
+     * @param values with {@link #SINGLE_SAMPLE_PARAMETERS} among them
+     */
+    public static BidirectionalSettings ofSingleSamples(ParameterValues values) {
+        return new BidirectionalSettings(
+                values.integer("maxEyeDepth"),
+                values.integer("maxLightDepth"),
+                values.integer("maxDepth"),
+                values.real("heuristicExponent"),
+                values.choice("russianRoulette").equals("none") ? Roulette.NONE : Roulette.THROUGHPUT,
+                values.integer("rrDepth"),
+                1,
+                false,
+                values.flag("causticMap"));
+    }
+
+    /** The same settings for paths of so many edges or more. */
+    public BidirectionalSettings withMinDepth(int edges) {
+        return new BidirectionalSettings(
+                maxEyeDepth,
+                maxLightDepth,
+                maxDepth,
+                heuristicExponent,
+                roulette,
+                rrDepth,
+                splitting,
+                allLights,
+                causticMap,
+                edges);
+    }
+
+    /**
+     * The same settings for samples that depend on nothing but their numbers: with one light subpath, without splitting, and without
+     * the roulette for occlusion tests, which goes by the samples before.
+     */
+    public BidirectionalSettings singleSample() {
+        return new BidirectionalSettings(
+                maxEyeDepth,
+                maxLightDepth,
+                maxDepth,
+                heuristicExponent,
+                roulette == Roulette.NONE ? Roulette.NONE : Roulette.THROUGHPUT,
+                rrDepth,
+                1,
+                false,
+                causticMap,
+                minDepth);
+    }
+
     /** The same settings without the roulette for occlusion tests. */
-    BidirectionalSettings withoutConnectionRoulette() {
+    public BidirectionalSettings withoutConnectionRoulette() {
         return new BidirectionalSettings(
                 maxEyeDepth,
                 maxLightDepth,
@@ -159,7 +268,8 @@ public record BidirectionalSettings(
                 rrDepth,
                 splitting,
                 allLights,
-                causticMap);
+                causticMap,
+                minDepth);
     }
 
     /** In how many ways an eye subpath goes on from the first vertex that can be connected. */

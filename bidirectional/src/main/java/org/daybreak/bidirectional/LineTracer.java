@@ -42,7 +42,8 @@ public final class LineTracer {
         void met(PathValues path);
     }
 
-    private static final Emission NO_EMISSION = path -> {};
+    /** Told of emission and does not care. */
+    static final Emission NO_EMISSION = path -> {};
 
     private final Scene scene;
     private final Camera camera;
@@ -459,6 +460,7 @@ public final class LineTracer {
         double nextZ = scattered.wiZ;
         double back;
         path.delta[i] = scattered.delta;
+        path.lobe[i] = scattered.lobe;
         if (scattered.delta) {
             density = Math.abs(here.localZ(nextX, nextY, nextZ)) / scattered.eta;
             back = Math.abs(here.localZ(dx, dy, dz)) * scattered.eta;

@@ -57,14 +57,23 @@ public final class SplatBuffer {
         return used / STRIDE;
     }
 
-    /** Film x of a splat, in pixels. */
+    /** Film position in pixels of a splat. */
     public double filmX(int splat) {
-        return splats[splat * STRIDE];
+        return splats[STRIDE * splat];
     }
 
-    /** Film y of a splat, in pixels. */
+    /** Film position in pixels, downwards, of a splat. */
     public double filmY(int splat) {
-        return splats[splat * STRIDE + 1];
+        return splats[STRIDE * splat + 1];
+    }
+
+    /**
+     * A component of a splat.
+     *
+     * @param component 0 red, 1 green, 2 blue
+     */
+    public double value(int splat, int component) {
+        return splats[STRIDE * splat + 2 + component];
     }
 
     /** Luminance of a splat. */
