@@ -450,6 +450,8 @@ public final class BiDirectionalProcessor implements RayProcessor {
         contribution.t = f + 1;
         contribution.filmX = sampleX;
         contribution.filmY = sampleY;
+        contribution.lensU = lensU;
+        contribution.lensV = lensV;
         contribution.lightIndex = lightIndex;
         contribution.r = factor * value.r * eye.throughputR[f];
         contribution.g = factor * value.g * eye.throughputG[f];

@@ -392,11 +392,14 @@ final class ChainRun {
             statistics.add(unit.statistics);
             convergence.add(unit.chain, unit.splats, unit.steps);
             addNonFinite(unit, context.seed());
+            // Commits are made one at a time; only those who watch read meanwhile.
+            long done = steps + unit.steps;
             long before = steps * PASSES_PER_MUTATION / pixels;
-            steps += unit.steps;
-            long now = steps * PASSES_PER_MUTATION / pixels;
+            long now = done * PASSES_PER_MUTATION / pixels;
+            steps = done;
             if (now > before) {
-                passes = passes + 1;
+                long finished = passes + 1;
+                passes = finished;
                 checkTarget(now / PASSES_PER_MUTATION > before / PASSES_PER_MUTATION);
             }
         }

@@ -57,20 +57,14 @@ public final class SplatBuffer {
         return used / STRIDE;
     }
 
-    /** Film x of a splat, in pixels. */
+    /** Film position in pixels of a splat. */
     public double filmX(int splat) {
-        return splats[splat * STRIDE];
+        return splats[STRIDE * splat];
     }
 
-    /** Film y of a splat, in pixels. */
+    /** Film position in pixels, downwards, of a splat. */
     public double filmY(int splat) {
-        return splats[splat * STRIDE + 1];
-    }
-
-    /** Luminance of a splat. */
-    public double luminance(int splat) {
-        int at = splat * STRIDE;
-        return Spectrum.luminance(splats[at + 2], splats[at + 3], splats[at + 4]);
+        return splats[STRIDE * splat + 1];
     }
 
     /**
@@ -79,7 +73,13 @@ public final class SplatBuffer {
      * @param component 0 red, 1 green, 2 blue
      */
     public double value(int splat, int component) {
-        return splats[splat * STRIDE + 2 + component];
+        return splats[STRIDE * splat + 2 + component];
+    }
+
+    /** Luminance of a splat. */
+    public double luminance(int splat) {
+        int at = splat * STRIDE;
+        return Spectrum.luminance(splats[at + 2], splats[at + 3], splats[at + 4]);
     }
 
     /** Film x, film y, red, green and blue of each splat; the first {@code STRIDE·size()} entries count. */
