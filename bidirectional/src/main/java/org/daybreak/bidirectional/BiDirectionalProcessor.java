@@ -30,7 +30,7 @@ import org.jspecify.annotations.Nullable;
  * vertex is joined to the lens, see {@link CausticMap}; others join y_{s−1} and z_{t−1}. Occlusion is tested last, for contributions
  * that are not zero.
  */
-final class BiDirectionalProcessor implements RayProcessor {
+public final class BiDirectionalProcessor implements RayProcessor {
     private final Scene scene;
     private final RayCaster caster;
     private final LightSelection selection;
@@ -63,7 +63,7 @@ final class BiDirectionalProcessor implements RayProcessor {
      *
      * @param listener told of all contributions; null if nobody listens
      */
-    BiDirectionalProcessor(
+    public BiDirectionalProcessor(
             Scene scene,
             Camera camera,
             boolean features,

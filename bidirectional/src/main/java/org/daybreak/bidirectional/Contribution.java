@@ -11,10 +11,10 @@ import org.daybreak.core.light.LightSample;
  * and the last one of {@link #eye} for s = 0. The lens is {@link #eye}[0] for t ≥ 2 and the point of {@link #lens} for t = 1; with
  * s = t = 1 and a light at infinity {@link #lens} has the direction, too.
  */
-final class Contribution {
+public final class Contribution {
     /** Told of contributions, for debug views and tests. */
     @FunctionalInterface
-    interface Listener {
+    public interface Listener {
         /** Something has been added to the image, or would have been if its weight were not 0. */
         void found(Contribution contribution);
 
@@ -70,6 +70,71 @@ final class Contribution {
         this.lightSample = lightSample;
         this.lens = lens;
         this.complement = complement;
+    }
+
+    /** Number of vertices from the light. */
+    public int lightVertices() {
+        return s;
+    }
+
+    /** Number of vertices from the lens. */
+    public int eyeVertices() {
+        return t;
+    }
+
+    /** The light subpath; see the class comment for what of it belongs to the path. */
+    public PathValues light() {
+        return light;
+    }
+
+    /** The eye subpath. */
+    public PathValues eye() {
+        return eye;
+    }
+
+    /** The light sample, for s = 1 and t ≥ 2. */
+    public LightSample lightSample() {
+        return lightSample;
+    }
+
+    /** The lens sample, for t = 1. */
+    public LensSample lens() {
+        return lens;
+    }
+
+    /** Index of the light. */
+    public int lightIndex() {
+        return lightIndex;
+    }
+
+    /** Film position in pixels. */
+    public double filmX() {
+        return filmX;
+    }
+
+    /** Film position in pixels, downwards. */
+    public double filmY() {
+        return filmY;
+    }
+
+    /** Red of f/p: {@link #r}. */
+    public double red() {
+        return r;
+    }
+
+    /** Green of f/p. */
+    public double green() {
+        return g;
+    }
+
+    /** Blue of f/p. */
+    public double blue() {
+        return b;
+    }
+
+    /** Weight w_{s,t}. */
+    public double weight() {
+        return weight;
     }
 
     /** The densities of the full path, from which the weight follows. */

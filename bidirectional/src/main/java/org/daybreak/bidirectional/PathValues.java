@@ -113,6 +113,31 @@ public final class PathValues {
         return points[vertex];
     }
 
+    /** Material of a vertex. */
+    public Bsdf bsdf(int vertex) {
+        return bsdfs[vertex];
+    }
+
+    /** True if the walk went on from a vertex by a delta lobe. */
+    public boolean isDelta(int vertex) {
+        return delta[vertex];
+    }
+
+    /** Index of the area light at a vertex, or -1. Of vertex 0 of a light subpath: the light. */
+    public int light(int vertex) {
+        return light[vertex];
+    }
+
+    /** True if the first vertex of this light subpath, or the last one of this eye subpath, lies at infinity. */
+    public boolean isInfinite() {
+        return infinite;
+    }
+
+    /** Direction, as x, y or z component, from a vertex to the one before. */
+    public double back(int vertex, int component) {
+        return component == 0 ? backX[vertex] : component == 1 ? backY[vertex] : backZ[vertex];
+    }
+
     /** Makes room for so many vertices. */
     void reserve(int vertices) {
         int old = points.length;

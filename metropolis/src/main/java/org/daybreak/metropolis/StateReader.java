@@ -1,0 +1,36 @@
+package org.daybreak.metropolis;
+
+import org.daybreak.core.render.ParameterException;
+
+/** Gives back what a {@link StateWriter} has taken, in the same order. */
+public final class StateReader {
+    private final long[] values;
+    private int next;
+
+    /** Creates a reader. */
+    public StateReader(long[] values) {
+        this.values = values;
+    }
+
+    /**
+     * The next number.
+     *
+     * @throws ParameterException if there is none: the state is another renderer's
+     */
+    public long next() {
+        if (next == values.length) {
+            throw new ParameterException("the state to go on from does not belong to this renderer: it is too short");
+        }
+        return values[next++];
+    }
+
+    /** The next number, as bits of a double. */
+    public double nextDouble() {
+        return Double.longBitsToDouble(next());
+    }
+
+    /** The next number as an int. */
+    public int nextInt() {
+        return (int) next();
+    }
+}
