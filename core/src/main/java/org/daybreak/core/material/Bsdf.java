@@ -14,7 +14,8 @@ import org.daybreak.core.geometry.SurfacePoint;
  * {@code sample} draws from exactly the density that {@code evaluate} and {@code density} report;
  * f·cos/density equals the sampled weight; energy ≤ 1;
  * symmetric in wo, wi but for refraction, where f(wo,wi)·η_o⁻² = f(wi,wo)·η_i⁻² in {@link TransportMode#RADIANCE}
- * (Veach 1997, eq. 5.14).
+ * (Veach 1997, eq. 5.14). Delta lobes keep to the same: {@link #deltaLobe} reports what {@code sample} draws, and a lobe
+ * leads back by its own number, with W(wo→wi) in RADIANCE equal to eta²·W(wi→wo) in IMPORTANCE.
  */
 public interface Bsdf {
     /**
@@ -85,6 +86,32 @@ public interface Bsdf {
             double w,
             TransportMode mode,
             BsdfSample out);
+
+    /**
+     * Number of delta lobes that the material may have anywhere, from either side. They are numbered from 0; passing straight
+     * through a mask ({@link BsdfSample#passThrough}) is none of them.
+     */
+    default int deltaLobes() {
+        return 0;
+    }
+
+    /**
+     * Follows a given delta lobe, where {@link #sample} would draw one. A lobe that leads from wo to wi leads from wi to wo as
+     * well, under the same number.
+     *
+     * @param lobe number of the lobe, not negative, as {@link BsdfSample#lobe} reports it; there is none from
+     *     {@link #deltaLobes} on
+     * @param mode what the walk that arrived along {@code wo} carries
+     * @param out receives what {@code sample} reports of this lobe, but in {@link BsdfSample#weight} its reflectance or
+     *     transmittance W itself, not divided by the probability of choosing it, which is {@link BsdfSample#density}; its
+     *     content is undefined if the result is false
+     * @return false if nothing goes this way: total internal reflection, the wrong side, a lobe that is black or no delta
+     *     here
+     */
+    default boolean deltaLobe(
+            SurfacePoint point, double woX, double woY, double woZ, int lobe, TransportMode mode, BsdfSample out) {
+        return false;
+    }
 
     /**
      * Fraction in [0,1] of light that passes straight through at this point as if there were no surface: 1 − opacity of
