@@ -55,6 +55,8 @@ public final class BiDirectionalProcessor implements RayProcessor {
     private final Spectrum radiance = new Spectrum();
     private double sampleX;
     private double sampleY;
+    private double lensU;
+    private double lensV;
     private final Contribution contribution;
     private final Contribution.@Nullable Listener listener;
 
@@ -109,8 +111,8 @@ public final class BiDirectionalProcessor implements RayProcessor {
         radiance.setZero();
         sampleX = filmX;
         sampleY = filmY;
-        double lensU = 0.5;
-        double lensV = 0.5;
+        lensU = 0.5;
+        lensV = 0.5;
         if (lensArea) {
             sampler.setDimension(Dimensions.choices(0));
             lensU = sampler.next();
@@ -372,6 +374,8 @@ public final class BiDirectionalProcessor implements RayProcessor {
         contribution.t = f + 1;
         contribution.filmX = sampleX;
         contribution.filmY = sampleY;
+        contribution.lensU = lensU;
+        contribution.lensV = lensV;
         contribution.lightIndex = lightIndex;
         contribution.r = factor * value.r * eye.throughputR[f];
         contribution.g = factor * value.g * eye.throughputG[f];

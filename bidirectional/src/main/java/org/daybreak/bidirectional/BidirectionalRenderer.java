@@ -33,11 +33,27 @@ public final class BidirectionalRenderer implements Renderer {
      */
     BidirectionalRenderer(BidirectionalSettings settings, FurtherImages further) {
         this.settings = settings;
-        RayProcessor.Factory processors = further instanceof TechniqueViews views
-                ? (scene, camera, features) -> views.record(
-                        listener -> new BiDirectionalProcessor(scene, camera, features, settings, listener))
-                : (scene, camera, features) -> new BiDirectionalProcessor(scene, camera, features, settings, null);
-        pixelwise = new PixelwiseRenderer(BidirectionalRendererFactory.ID, processors, further);
+        pixelwise = new PixelwiseRenderer(BidirectionalRendererFactory.ID, new Processors(settings, further), further);
+    }
+
+    /** Makes processors, which tell their contributions to the views of techniques if there are any. */
+    private record Processors(BidirectionalSettings settings, FurtherImages further) implements RayProcessor.Factory {
+        @Override
+        public RayProcessor create(Scene scene, Camera camera, boolean features) {
+            return further instanceof TechniqueViews views
+                    ? views.record(listener -> new BiDirectionalProcessor(scene, camera, features, settings, listener))
+                    : new BiDirectionalProcessor(scene, camera, features, settings, null);
+        }
+
+        @Override
+        public boolean splats() {
+            return settings.splats();
+        }
+
+        @Override
+        public boolean learns() {
+            return settings.roulette() == BidirectionalSettings.Roulette.EFFICIENCY;
+        }
     }
 
     @Override

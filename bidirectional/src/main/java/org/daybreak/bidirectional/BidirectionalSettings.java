@@ -187,6 +187,12 @@ public record BidirectionalSettings(
         return new TechniqueLimits(eye, light, causticMap, parallelFilm);
     }
 
+    /** Whether light paths bring something to the lens. */
+    boolean splats() {
+        TechniqueLimits limits = limits(false);
+        return limits.lens() && (limits.maxLightVertices() > 1 || limits.emitterAtLens());
+    }
+
     /** Largest number of vertices of a full path. */
     long maxVertices() {
         return maxDepth < 0 ? Long.MAX_VALUE : maxDepth + 1L;

@@ -30,6 +30,8 @@ final class CausticMap {
     private final Contribution contribution;
     private final Contribution.@Nullable Listener listener;
     private SplatBuffer splats = new SplatBuffer();
+    private double lensU;
+    private double lensV;
     private double luminance;
     private boolean finite;
 
@@ -93,16 +95,16 @@ final class CausticMap {
             if (!path.connectable[e]) {
                 continue;
             }
-            double u = 0.5;
-            double v = 0.5;
+            lensU = 0.5;
+            lensV = 0.5;
             if (lensArea) {
                 sampler.setDimension(Dimensions.lightPath(path.surface[e], subpath) + 2);
-                u = sampler.next();
-                v = sampler.next();
+                lensU = sampler.next();
+                lensV = sampler.next();
             }
             SurfacePoint y = path.points[e];
             Bsdf bsdf = path.bsdfs[e];
-            if (lens.aimFromSurface(y, bsdf, path.backX[e], path.backY[e], path.backZ[e], u, v)) {
+            if (lens.aimFromSurface(y, bsdf, path.backX[e], path.backY[e], path.backZ[e], lensU, lensV)) {
                 double weight = complement.lens(
                         path, e + 1, lens.lens().wiX, lens.lens().wiY, lens.lens().wiZ, lens.filmDensity());
                 splat(y, e + 1, index, weight, path.throughputR[e], path.throughputG[e], path.throughputB[e]);
@@ -112,24 +114,24 @@ final class CausticMap {
 
     /** The emitter itself as the lens sees it, s = 1. */
     private void addEmitter(PathValues path, Light light, int index, int subpath, Sampler sampler) {
-        double u = 0.5;
-        double v = 0.5;
+        lensU = 0.5;
+        lensV = 0.5;
         if (lensArea) {
             sampler.setDimension(Dimensions.lightPathChoices(0, subpath) + 2);
-            u = sampler.next();
-            v = sampler.next();
+            lensU = sampler.next();
+            lensV = sampler.next();
         }
         if (light.isInfinite()) {
             sampler.setDimension(Dimensions.lightPath(0, subpath) + 2);
             double s = sampler.next();
             double t = sampler.next();
-            double density = lens.aimFromInfinity(light, s, t, u, v);
+            double density = lens.aimFromInfinity(light, s, t, lensU, lensV);
             if (density > 0) {
                 double chosen = lights.emissionChoice(index);
                 double weight = complement.emitterAtLens(chosen * density, lens.filmDensity());
                 splat(path.points[0], 1, index, weight, 1 / chosen, 1 / chosen, 1 / chosen);
             }
-        } else if (path.length() > 0 && lens.aimFromEmitter(light, path.points[0], u, v)) {
+        } else if (path.length() > 0 && lens.aimFromEmitter(light, path.points[0], lensU, lensV)) {
             double density = path.forward[0];
             double weight = complement.emitterAtLens(density, lens.filmDensity());
             splat(path.points[0], 1, index, weight, 1 / density, 1 / density, 1 / density);
@@ -174,6 +176,8 @@ final class CausticMap {
         c.r = r * lens.value().r;
         c.g = g * lens.value().g;
         c.b = b * lens.value().b;
+        c.lensU = lensU;
+        c.lensV = lensV;
         c.weight = weight;
         return c;
     }

@@ -51,6 +51,11 @@ public final class Contribution {
 
     double filmY;
 
+    /** Numbers of the point on the lens. */
+    double lensU;
+
+    double lensV;
+
     /**
      * f/p, visibility and Russian roulette included, without the weight. Summed over a pixel it gives the pixel's radiance as this
      * technique finds it, divided by the number of samples: of the pixel for t ≥ 2, of the whole image for t = 1.
@@ -115,6 +120,16 @@ public final class Contribution {
     /** Film position in pixels, downwards. */
     public double filmY() {
         return filmY;
+    }
+
+    /** First number of the point on the lens. */
+    public double lensU() {
+        return lensU;
+    }
+
+    /** Second number of the point on the lens. */
+    public double lensV() {
+        return lensV;
     }
 
     /** Red of f/p: {@link #r}. */

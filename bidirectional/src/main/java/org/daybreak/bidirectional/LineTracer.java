@@ -459,6 +459,7 @@ public final class LineTracer {
         double nextZ = scattered.wiZ;
         double back;
         path.delta[i] = scattered.delta;
+        path.lobe[i] = scattered.lobe;
         if (scattered.delta) {
             density = Math.abs(here.localZ(nextX, nextY, nextZ)) / scattered.eta;
             back = Math.abs(here.localZ(dx, dy, dz)) * scattered.eta;

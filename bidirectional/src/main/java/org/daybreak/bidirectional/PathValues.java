@@ -60,6 +60,9 @@ public final class PathValues {
     /** True if the walk went on from this vertex by a delta lobe. */
     boolean[] delta = new boolean[0];
 
+    /** Index of the delta lobe, see {@link Bsdf#deltaLobe}, where {@link #delta} is true. */
+    int[] lobe = new int[0];
+
     /** True if the material has a lobe that connections can use. */
     boolean[] connectable = new boolean[0];
 
@@ -123,6 +126,11 @@ public final class PathValues {
         return delta[vertex];
     }
 
+    /** Index of the delta lobe that the walk went on by from a vertex, if it did. */
+    public int lobe(int vertex) {
+        return lobe[vertex];
+    }
+
     /** Index of the area light at a vertex, or -1. Of vertex 0 of a light subpath: the light. */
     public int light(int vertex) {
         return light[vertex];
@@ -161,6 +169,7 @@ public final class PathValues {
         reverse = Arrays.copyOf(reverse, capacity);
         toPrevious = Arrays.copyOf(toPrevious, capacity);
         delta = Arrays.copyOf(delta, capacity);
+        lobe = Arrays.copyOf(lobe, capacity);
         connectable = Arrays.copyOf(connectable, capacity);
         light = Arrays.copyOf(light, capacity);
         surface = Arrays.copyOf(surface, capacity);

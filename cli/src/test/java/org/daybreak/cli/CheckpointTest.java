@@ -54,7 +54,7 @@ class CheckpointTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"path, 3", "raytracer, 2", "light, 5"})
+    @CsvSource({"path, 3", "raytracer, 2", "light, 5", "bidirectional, 4"})
     void mergedPartsAreTheWholeImage(String renderer, int parts) throws IOException {
         Path whole = folder.resolve("whole.exr");
         assertDone(render("--renderer", renderer, "--layers", "depth,variance", "-o", whole));

@@ -37,4 +37,26 @@ public final class ImageImportance {
         int y = Math.min(height - 1, Math.max(0, (int) (filmY / cellSize)));
         return factors[y * width + x];
     }
+
+    /** Writes the factor. */
+    void save(StateWriter out) {
+        out.put(width);
+        out.put(height);
+        out.put(cellSize);
+        for (double factor : factors) {
+            out.put(factor);
+        }
+    }
+
+    /** Reads what {@link #save} has written. */
+    static ImageImportance load(StateReader in) {
+        int width = in.nextInt();
+        int height = in.nextInt();
+        double cellSize = in.nextDouble();
+        double[] factors = new double[in.checkCount((long) width * height)];
+        for (int i = 0; i < factors.length; i++) {
+            factors[i] = in.nextDouble();
+        }
+        return new ImageImportance(width, height, cellSize, factors);
+    }
 }

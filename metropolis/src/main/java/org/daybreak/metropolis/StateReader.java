@@ -24,6 +24,18 @@ public final class StateReader {
         return values[next++];
     }
 
+    /**
+     * A count of numbers to come.
+     *
+     * @throws ParameterException if there are not so many: the state is another renderer's
+     */
+    int checkCount(long count) {
+        if (count < 0 || count > values.length - next) {
+            throw new ParameterException("the state to go on from does not belong to this renderer: it is too short");
+        }
+        return (int) count;
+    }
+
     /** The next number, as bits of a double. */
     public double nextDouble() {
         return Double.longBitsToDouble(next());

@@ -32,7 +32,7 @@ import org.daybreak.core.scene.Scene;
  * of threads. Under a time limit, passes that would not be complete in time are made smaller; the last one stops
  * wherever time runs out, and each pixel is the mean of the samples that it has.
  *
- * <p>A part of a render is a range of tiles, see {@link TileGrid}. It has no splats, as these would land in other parts.
+ * <p>A part of a render is a range of tiles, and for algorithms that splat one of lanes of tiles, see {@link TileGrid}.
  */
 public final class PixelwiseRenderer implements Renderer {
     private static final int SAMPLES_BETWEEN_CHECKS = 16;
@@ -113,7 +113,8 @@ public final class PixelwiseRenderer implements Renderer {
             furtherFilms = furtherFilms();
             clock = new RenderClock(context);
             checkpoints = new Checkpoints(context, clock);
-            grid = new TileGrid(film, context.part());
+            checkSplats();
+            grid = new TileGrid(film, context.part(), processors.splats(), processors.learns());
             samplesPerPixel =
                     context.antialiasing().samplesPerPixel(context.budget().samplesPerPixel());
             schedule = context.antialiasing()
@@ -216,8 +217,8 @@ public final class PixelwiseRenderer implements Renderer {
             }
             boolean whole = unit.samples == unit.expected;
             checkpoints.beforeCommit(whole, () -> state(schedule.position(unit), false));
-            if (unit.splats.size() > 0) {
-                checkSplats();
+            if (unit.splats.size() > 0 && !processors.splats()) {
+                throw new IllegalStateException("renderer '" + id + "' splats but does not say so");
             }
             unit.commit(film, furtherFilms);
             if (unit.counted) {
@@ -237,11 +238,7 @@ public final class PixelwiseRenderer implements Renderer {
         }
 
         private void checkSplats() {
-            if (!context.part().isWhole()) {
-                throw new ParameterException(
-                        "renderer '" + id + "' cannot render parts: what it finds belongs to other parts, too");
-            }
-            if (context.antialiasing().allocation().isPresent()) {
+            if (processors.splats() && context.antialiasing().allocation().isPresent()) {
                 throw new ParameterException("renderer '" + id + "' cannot be used with antialiasing '"
                         + context.antialiasing().id()
                         + "': what it finds in other pixels has their numbers of samples");

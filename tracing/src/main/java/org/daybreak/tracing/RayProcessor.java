@@ -24,7 +24,7 @@ public interface RayProcessor {
      * @param sampler started at the sample, its next dimension is {@link Dimensions#FIRST_DIRECT}: the first two were the position in
      *     the pixel
      * @param out receives the radiance and, if asked for, the features
-     * @param splats receives contributions to other film positions, for algorithms that find some
+     * @param splats receives contributions to other film positions, for algorithms that find some ({@link Factory#splats})
      * @return false if a splat was not finite and has been left out
      */
     boolean trace(double filmX, double filmY, Sampler sampler, RaySample out, SplatBuffer splats);
@@ -41,5 +41,15 @@ public interface RayProcessor {
          * @param features whether to fill {@link RaySample#features}
          */
         RayProcessor create(Scene scene, Camera camera, boolean features);
+
+        /** Whether the processors find contributions to other film positions. */
+        default boolean splats() {
+            return false;
+        }
+
+        /** Whether the processors learn from the samples of a work unit, so that a sample depends on those before it there. */
+        default boolean learns() {
+            return false;
+        }
     }
 }

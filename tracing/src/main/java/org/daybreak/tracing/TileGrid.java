@@ -12,54 +12,91 @@ import org.daybreak.core.render.RenderPart;
  *
  * <p>A part owns consecutive tiles. To have the pixels of its tiles as they are in the whole image, bit for bit, it also takes
  * the samples of other tiles that reach into them by the filter, tile by tile in the order of the whole image: a pixel's
- * sums are made from the same numbers in the same order.
+ * sums are made from the same numbers in the same order. If samples depend on those before them in the tile, these are taken
+ * as well.
+ *
+ * <p>For algorithms that splat, consecutive tiles make up lanes, whose splats are added up apart; a part owns whole lanes. A
+ * lane takes as much memory as an image, so there are {@value #MOST_LANES} of images of up to a million pixels, and
+ * {@value #LEAST_LANES} of very large ones.
  */
 final class TileGrid {
     private static final int TILE_SIZE = 32;
+    private static final int MOST_LANES = 16;
+    private static final int LEAST_LANES = 4;
+
+    /** So many pixels all lanes together have, where that leaves enough of them. */
+    private static final long PIXELS_OF_LANES = 1L << 24;
 
     private final FilmSettings.Crop area;
     private final FilmSettings.Crop crop;
     private final int border;
     private final int columns;
     private final int rows;
+    private final long count;
+    private final long lanes;
     private final long from;
     private final long end;
+    private final boolean fromTheirStart;
     private final List<FilmSettings.Crop> tiles = new ArrayList<>();
     private final List<Boolean> owned = new ArrayList<>();
+    private final List<Integer> laneOf = new ArrayList<>();
     private final List<FilmSettings.Crop> regions = new ArrayList<>();
     private long pixels;
 
     /**
      * Finds the tiles.
      *
-     * @throws ParameterException if there are more parts than tiles
+     * @param splats whether the algorithm splats
+     * @param learns whether samples depend on those before them in their tile
+     * @throws ParameterException if there are more parts than tiles, or lanes
      */
-    TileGrid(Film film, RenderPart part) {
+    TileGrid(Film film, RenderPart part, boolean splats, boolean learns) {
         area = film.sampleArea();
         crop = film.settings().crop();
         border = film.filterBorder();
+        fromTheirStart = learns;
         columns = (area.width() + TILE_SIZE - 1) / TILE_SIZE;
         rows = (area.height() + TILE_SIZE - 1) / TILE_SIZE;
-        long count = (long) columns * rows;
+        count = (long) columns * rows;
+        lanes = splats ? lanes() : 1;
+        if (splats && part.count() > lanes) {
+            throw new ParameterException("splats of an image of " + crop.width() + "x" + crop.height()
+                    + " pixels are added up in " + lanes + " lanes: it can be cut into at most so many parts, not "
+                    + part.count());
+        }
         if (part.count() > count) {
             throw new ParameterException("the image has " + count + " tiles of " + TILE_SIZE + "x" + TILE_SIZE
                     + " pixels: it can be cut into at most so many parts, not " + part.count());
         }
-        from = part.first(count);
-        end = part.end(count);
+        from = splats ? laneStart(part.first(lanes)) : part.first(count);
+        end = splats ? laneStart(part.end(lanes)) : part.end(count);
+        int lane = 0;
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
-                add(column, row);
+                while (laneStart(lane + 1L) <= (long) row * columns + column) {
+                    lane++;
+                }
+                add(column, row, lane);
             }
         }
         findRegions(part);
     }
 
-    private void add(int column, int row) {
+    private long lanes() {
+        long fitting = PIXELS_OF_LANES / ((long) crop.width() * crop.height());
+        return Math.min(count, Math.max(LEAST_LANES, Math.min(MOST_LANES, fitting)));
+    }
+
+    private long laneStart(long lane) {
+        return count * lane / lanes;
+    }
+
+    private void add(int column, int row, int lane) {
         FilmSettings.Crop tile = tile(column, row);
         if (isOwned(column, row)) {
             tiles.add(tile);
             owned.add(true);
+            laneOf.add(lane);
             pixels += (long) tile.width() * tile.height();
             return;
         }
@@ -86,8 +123,12 @@ final class TileGrid {
             }
         }
         if (x0 < x1) {
-            tiles.add(new FilmSettings.Crop(x0, y0, x1 - x0, y1 - y0));
+            tiles.add(
+                    fromTheirStart
+                            ? new FilmSettings.Crop(tile.x(), tile.y(), tile.width(), y1 - tile.y())
+                            : new FilmSettings.Crop(x0, y0, x1 - x0, y1 - y0));
             owned.add(false);
+            laneOf.add(lane);
         }
     }
 
@@ -139,6 +180,7 @@ final class TileGrid {
         unit.width = tile.width();
         unit.height = tile.height();
         unit.counted = owned.get(index);
+        unit.lane = laneOf.get(index);
     }
 
     /** Number of pixels, border included, whose samples count. */

@@ -29,6 +29,9 @@ final class TileUnit {
     /** False if another part of the image counts these samples: they are here for the filter of neighbours. */
     boolean counted;
 
+    /** Number of the lane that splats belong to. */
+    int lane;
+
     /** Seed of the random numbers. */
     long seed;
 
@@ -102,7 +105,7 @@ final class TileUnit {
             further[i].commit(furtherTiles[i], countedSamples);
         }
         if (counted) {
-            film.commit(splats, samples);
+            film.commit(splats, samples, lane);
             for (int i = 0; i < further.length; i++) {
                 further[i].commit(furtherSplats[i], samples);
             }

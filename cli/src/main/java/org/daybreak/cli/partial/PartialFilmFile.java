@@ -29,7 +29,7 @@ public final class PartialFilmFile {
     /** Bits 8, line ends and end-of-file marks: what damages texts damages these. */
     private static final byte[] MAGIC = {(byte) 0x89, 'D', 'B', 'F', '\r', '\n', 0x1A, '\n'};
 
-    private static final int VERSION = 1;
+    private static final int VERSION = 2;
     private static final int LARGEST_HEADER = 1 << 28;
     private static final int BUFFER_BYTES = 1 << 20;
 

@@ -30,7 +30,7 @@ record PartialFilmHeader(JsonNode json, List<Block> blocks) {
     static final String SUMS = "sums";
     private static final String POSITION = "position.";
     private static final String SPLATS_TOTAL = "splats.total";
-    private static final String SPLATS_CLOSED = "splats.closed.";
+    private static final String SPLATS_LANE = "splats.lane.";
     private static final String SPLATS_OPEN = "splats.open";
 
     /**
@@ -57,9 +57,8 @@ record PartialFilmHeader(JsonNode json, List<Block> blocks) {
         if (total != null) {
             blocks.put(SPLATS_TOTAL, total);
         }
-        List<double[]> closed = film.splats().closed();
-        for (int i = 0; i < closed.size(); i++) {
-            blocks.put(SPLATS_CLOSED + i, closed.get(i));
+        for (FilmState.Lane lane : film.splats().lanes()) {
+            blocks.put(SPLATS_LANE + lane.number(), lane.sums());
         }
         double[] open = film.splats().open();
         if (open != null) {
@@ -199,12 +198,12 @@ record PartialFilmHeader(JsonNode json, List<Block> blocks) {
         field(film, "layers").forEach(layer -> layers.add(layer(layer.asText())));
         List<FilmSettings.Crop> regions = new ArrayList<>();
         field(film, "regions").forEach(region -> regions.add(rectangle(region)));
-        List<double[]> closed = new ArrayList<>();
-        for (double[] lane = arrays.get(SPLATS_CLOSED + 0);
-                lane != null;
-                lane = arrays.get(SPLATS_CLOSED + closed.size())) {
-            closed.add(lane);
-        }
+        List<FilmState.Lane> lanes = new ArrayList<>();
+        arrays.forEach((name, sums) -> {
+            if (name.startsWith(SPLATS_LANE)) {
+                lanes.add(new FilmState.Lane(Integer.parseInt(name.substring(SPLATS_LANE.length())), sums));
+            }
+        });
         double[] sums = arrays.get(SUMS);
         if (sums == null) {
             throw new IllegalArgumentException("there is no block '" + SUMS + "'");
@@ -216,7 +215,7 @@ record PartialFilmHeader(JsonNode json, List<Block> blocks) {
                 regions,
                 sums,
                 field(film, "samples").asLong(),
-                FilmState.Splats.of(arrays.get(SPLATS_TOTAL), closed, arrays.get(SPLATS_OPEN)),
+                FilmState.Splats.of(arrays.get(SPLATS_TOTAL), lanes, arrays.get(SPLATS_OPEN)),
                 field(film, "splatPaths").asLong(),
                 field(film, "splatScale").asDouble());
     }

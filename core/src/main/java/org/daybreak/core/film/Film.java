@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.daybreak.core.color.Spectrum;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Accumulates an image in linear RGB and double precision. Thread-safe; the sums depend on the order of commits, so
@@ -19,7 +20,8 @@ import org.daybreak.core.color.Spectrum;
  * <p>With {@linkplain FilmSettings#filterSampling() filter sampling} a pixel is the plain mean of its own samples, drawn in
  * proportion to |w| and multiplied by a sign and factor ({@link FilterSampler}); there is no border.
  *
- * <p><b>Splats.</b> They are kept apart, in lanes ({@link #closeSplatLane}): Σ w·splat, where w is the filter scaled to
+ * <p><b>Splats.</b> They are kept apart, in lanes ({@link #closeSplatLane}, {@link #commit(SplatBuffer, long, int)}):
+ * Σ w·splat, where w is the filter scaled to
  * integrate to 1 over the film, times {@link #setSplatScale a scale} over the number of subpaths that were traced. Near the edges of the film both kinds
  * estimate the same mean: that over the part of the filter that lies on the film.
  *
@@ -154,14 +156,27 @@ public final class Film {
     }
 
     /**
-     * Ends a lane of splats. The splats of a lane are added up apart, and the lanes then in their order. So a film that is
-     * put together from parts of whole lanes has the bits of one that was rendered at once.
+     * Adds splats to one of several lanes that are filled at the same time. They are added up in the order of their numbers, and
+     * each has sums of its own, that start at zero, until then: so a film that is put together from parts of whole lanes has the
+     * bits of one that was rendered at once. Each lane with any splat takes as much memory as an image.
+     *
+     * @param subpaths number of subpaths that were traced for them, those without any splat included
+     * @param lane number of the lane, from 0
+     */
+    public synchronized void commit(SplatBuffer buffer, long subpaths, int lane) {
+        splats.add(buffer, subpaths, lane);
+    }
+
+    /**
+     * Ends the lane of splats that {@link #commit(SplatBuffer, long)} fills. The splats of a lane are added up apart, and the
+     * lanes then in their order. So a film that is put together from parts of whole lanes has the bits of one that was rendered
+     * at once.
      */
     public synchronized void closeSplatLane() {
         splats.closeLane();
     }
 
-    /** Keeps lanes of splats apart when they are closed, as a part of a render has to. Before the first one is closed. */
+    /** Keeps lanes of splats apart when they are closed, as a part of a render has to. Before one is closed or restored. */
     public synchronized void keepSplatLanes() {
         splats.keepLanes();
     }
@@ -188,14 +203,15 @@ public final class Film {
      * The image as it is now. May be called at any time from any thread; pixels without samples are 0.
      */
     public synchronized FilmImage develop() {
+        FilmSplats.Totals splatted = splats.totals();
         Map<String, float[]> channels = new LinkedHashMap<>();
         List<String> colors = List.of("R", "G", "B");
         for (int c = 0; c < 3; c++) {
-            channels.put(colors.get(c), developColor(c));
+            channels.put(colors.get(c), developColor(c, splatted));
         }
         for (FilmLayer layer : layers) {
             for (int c = 0; c < layer.channels().size(); c++) {
-                channels.put(layer.channels().get(c), developLayer(layer, c));
+                channels.put(layer.channels().get(c), developLayer(layer, c, splatted));
             }
         }
         return new FilmImage(settings, channels);
@@ -208,6 +224,7 @@ public final class Film {
      */
     public synchronized double relativeError() {
         int n = settings.crop().width() * settings.crop().height();
+        FilmSplats.Totals splatted = splats.totals();
         double mean = 0;
         double variance = 0;
         for (int p = 0; p < n; p++) {
@@ -217,9 +234,9 @@ public final class Film {
                 luminance = sampleMean(at, luminanceSum(at, FilmLayout.COLOR));
                 variance += luminanceVariance(at, luminance);
             }
-            if (splats.any()) {
-                luminance += splats.luminance(p);
-                variance += splats.luminanceVariance(p);
+            if (splatted != null) {
+                luminance += splatted.luminance(p);
+                variance += splatted.luminanceVariance(p);
             }
             mean += luminance;
         }
@@ -336,25 +353,25 @@ public final class Film {
         return sampleVariance(sums[at], sums[one], first, sums[at + FilmLayout.LUMINANCE_SQUARED], mean);
     }
 
-    private float[] developColor(int c) {
+    private float[] developColor(int c, FilmSplats.@Nullable Totals splatted) {
         float[] values = new float[settings.crop().width() * settings.crop().height()];
         for (int p = 0; p < values.length; p++) {
             int at = p * layout.stride;
             double value = sampleMean(at, sums[at + FilmLayout.COLOR + c]);
-            if (splats.any()) {
-                value += splats.mean(p, c);
+            if (splatted != null) {
+                value += splatted.mean(p, c);
             }
             values[p] = (float) value;
         }
         return values;
     }
 
-    private float[] developLayer(FilmLayer layer, int c) {
+    private float[] developLayer(FilmLayer layer, int c, FilmSplats.@Nullable Totals splatted) {
         return switch (layer) {
             case ALBEDO -> developFeature(layout.albedo + c, FilmLayout.WEIGHT);
             case NORMAL -> developFeature(layout.normal + c, FilmLayout.WEIGHT);
             case DEPTH -> developFeature(layout.depth, layout.depth + 1);
-            case VARIANCE -> developVariance(c);
+            case VARIANCE -> developVariance(c, splatted);
         };
     }
 
@@ -367,7 +384,7 @@ public final class Film {
         return values;
     }
 
-    private float[] developVariance(int c) {
+    private float[] developVariance(int c, FilmSplats.@Nullable Totals splatted) {
         float[] values = new float[settings.crop().width() * settings.crop().height()];
         for (int p = 0; p < values.length; p++) {
             int at = p * layout.stride;
@@ -380,8 +397,8 @@ public final class Film {
                         sums[at + layout.second + c],
                         sampleMean(at, sums[at + FilmLayout.COLOR + c]));
             }
-            if (splats.any()) {
-                variance += splats.variance(p, c);
+            if (splatted != null) {
+                variance += splatted.variance(p, c);
             }
             values[p] = (float) variance;
         }

@@ -2,6 +2,9 @@ package org.daybreak.core.film;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.daybreak.core.color.Spectrum;
 import org.jspecify.annotations.Nullable;
 
@@ -9,8 +12,9 @@ import org.jspecify.annotations.Nullable;
  * The splats of a film. Each pixel holds the sums of red, green and blue, of the squared luminance, and with the variance
  * layer of the squares per channel. Not thread-safe; the film guards it.
  *
- * <p>Splats are added to the open lane; closed lanes are added up in their order. What is asked for in between is the sum
- * as it would be if the open lane were closed.
+ * <p>Splats are added to the open lane; closed lanes are added up in their order. Or they are added to lanes with numbers, several
+ * of which are filled at the same time: these are kept to the end. What is asked for in between is the sum as it would be if
+ * all lanes were closed.
  */
 final class FilmSplats {
     private final FilmSettings settings;
@@ -19,7 +23,10 @@ final class FilmSplats {
     private final int stride;
     private final double[] weightsX;
     private final double[] weightsY;
-    private final List<double[]> closed = new ArrayList<>();
+
+    /** Lanes that are kept apart, by number. */
+    private final SortedMap<Integer, double[]> lanes = new TreeMap<>();
+
     private boolean keepLanes;
     private double @Nullable [] total;
     private double @Nullable [] open;
@@ -38,16 +45,31 @@ final class FilmSplats {
 
     void add(SplatBuffer splats, long subpaths) {
         paths += subpaths;
-        int used = splats.size() * SplatBuffer.STRIDE;
-        if (used == 0) {
+        if (splats.size() == 0) {
             return;
         }
         double[] target = open;
         if (target == null) {
-            target = new double[settings.crop().width() * settings.crop().height() * stride];
+            target = newLane();
             open = target;
         }
+        addAll(splats, target);
+    }
+
+    void add(SplatBuffer splats, long subpaths, int lane) {
+        paths += subpaths;
+        if (splats.size() > 0) {
+            addAll(splats, lanes.computeIfAbsent(lane, number -> newLane()));
+        }
+    }
+
+    private double[] newLane() {
+        return new double[settings.crop().width() * settings.crop().height() * stride];
+    }
+
+    private void addAll(SplatBuffer splats, double[] target) {
         double[] entries = splats.entries();
+        int used = splats.size() * SplatBuffer.STRIDE;
         for (int i = 0; i < used; i += SplatBuffer.STRIDE) {
             add(target, entries[i], entries[i + 1], entries[i + 2], entries[i + 3], entries[i + 4]);
         }
@@ -60,7 +82,7 @@ final class FilmSplats {
             return;
         }
         if (keepLanes) {
-            closed.add(lane);
+            lanes.put(lanes.isEmpty() ? 0 : lanes.lastKey() + 1, lane);
         } else {
             addToTotal(lane);
         }
@@ -74,15 +96,15 @@ final class FilmSplats {
         double[] sum = total;
         if (sum == null) {
             total = lane;
-            return;
-        }
-        for (int i = 0; i < sum.length; i++) {
-            sum[i] += lane[i];
+        } else {
+            addTo(sum, lane);
         }
     }
 
-    boolean any() {
-        return total != null || open != null || !closed.isEmpty();
+    private static void addTo(double[] sum, double[] lane) {
+        for (int i = 0; i < sum.length; i++) {
+            sum[i] += lane[i];
+        }
     }
 
     long paths() {
@@ -97,11 +119,15 @@ final class FilmSplats {
         this.scale = scale;
     }
 
-    /** A copy of all sums; closed lanes are not written to any more and are handed out as they are. */
+    /** A copy of all sums; lanes that were closed and kept are not written to any more and are handed out as they are. */
     FilmState.Splats state() {
+        List<FilmState.Lane> copies = new ArrayList<>();
+        for (Map.Entry<Integer, double[]> lane : lanes.entrySet()) {
+            copies.add(new FilmState.Lane(lane.getKey(), own(lane.getValue())));
+        }
         double[] sum = total;
         double[] lane = open;
-        return new FilmState.Splats(sum == null ? null : sum.clone(), closed, lane == null ? null : lane.clone());
+        return new FilmState.Splats(sum == null ? null : sum.clone(), copies, lane == null ? null : lane.clone());
     }
 
     void restore(FilmState.Splats state, long subpaths, double factor) {
@@ -109,62 +135,95 @@ final class FilmSplats {
         double[] lane = state.open();
         total = sum == null ? null : sum.clone();
         open = lane == null ? null : lane.clone();
-        closed.clear();
-        closed.addAll(state.closed());
+        lanes.clear();
+        for (FilmState.Lane numbered : state.lanes()) {
+            lanes.put(numbered.number(), own(numbered.sums()));
+        }
         paths = subpaths;
         scale = factor;
+    }
+
+    private double[] own(double[] lane) {
+        return keepLanes ? lane : lane.clone();
     }
 
     /** Adds the lanes of a part that comes next. */
     void merge(FilmState.Splats state, long subpaths, double factor) {
         if (state.total() != null || state.open() != null) {
-            throw new IllegalArgumentException("the splats of a part must be in closed lanes");
+            throw new IllegalArgumentException("the splats of a part must be in lanes that are kept apart");
         }
-        for (double[] lane : state.closed()) {
-            addToTotal(total == null ? lane.clone() : lane);
+        for (FilmState.Lane lane : state.lanes()) {
+            addToTotal(total == null ? lane.sums().clone() : lane.sums());
         }
         paths += subpaths;
         scale = factor;
     }
 
-    /** Mean of a colour channel in a pixel. */
-    double mean(int pixel, int channel) {
-        return norm(pixel) * scale * sum(pixel * stride + channel) / paths;
-    }
-
-    /** Mean luminance of a pixel. */
-    double luminance(int pixel) {
-        return norm(pixel) * scale * luminanceSum(pixel) / paths;
-    }
-
-    /** Variance of a colour channel's mean in a pixel. */
-    double variance(int pixel, int channel) {
-        int at = pixel * stride;
-        return variance(pixel, sum(at + channel), sum(at + 4 + channel));
-    }
-
-    /** Variance of the mean luminance of a pixel. */
-    double luminanceVariance(int pixel) {
-        return variance(pixel, luminanceSum(pixel), sum(pixel * stride + 3));
-    }
-
-    private double luminanceSum(int pixel) {
-        int at = pixel * stride;
-        return Spectrum.luminance(sum(at), sum(at + 1), sum(at + 2));
-    }
-
-    private double variance(int pixel, double sum, double squares) {
-        double mean = sum / paths;
-        double factor = norm(pixel) * scale;
-        return Math.max(0, squares / paths - mean * mean) / paths * factor * factor;
-    }
-
-    private double sum(int at) {
-        double sum = total == null ? 0 : total[at];
-        for (int i = 0; i < closed.size(); i++) {
-            sum += closed.get(i)[at];
+    /** What all splats add up to now; null if there are none. */
+    @Nullable
+    Totals totals() {
+        List<double[]> all = new ArrayList<>();
+        double[] first = total;
+        double[] last = open;
+        if (first != null) {
+            all.add(first);
         }
-        return open == null ? sum : sum + open[at];
+        all.addAll(lanes.values());
+        if (last != null) {
+            all.add(last);
+        }
+        if (all.isEmpty()) {
+            return null;
+        }
+        double[] sum = all.get(0);
+        if (all.size() > 1) {
+            sum = sum.clone();
+            for (double[] lane : all.subList(1, all.size())) {
+                addTo(sum, lane);
+            }
+        }
+        return new Totals(sum);
+    }
+
+    /** Sums of all splats. Valid as long as the film is guarded. */
+    final class Totals {
+        private final double[] sums;
+
+        private Totals(double[] sums) {
+            this.sums = sums;
+        }
+
+        /** Mean of a colour channel in a pixel. */
+        double mean(int pixel, int channel) {
+            return norm(pixel) * scale * sums[pixel * stride + channel] / paths;
+        }
+
+        /** Mean luminance of a pixel. */
+        double luminance(int pixel) {
+            return norm(pixel) * scale * luminanceSum(pixel) / paths;
+        }
+
+        /** Variance of a colour channel's mean in a pixel. */
+        double variance(int pixel, int channel) {
+            int at = pixel * stride;
+            return variance(pixel, sums[at + channel], sums[at + 4 + channel]);
+        }
+
+        /** Variance of the mean luminance of a pixel. */
+        double luminanceVariance(int pixel) {
+            return variance(pixel, luminanceSum(pixel), sums[pixel * stride + 3]);
+        }
+
+        private double luminanceSum(int pixel) {
+            int at = pixel * stride;
+            return Spectrum.luminance(sums[at], sums[at + 1], sums[at + 2]);
+        }
+
+        private double variance(int pixel, double sum, double squares) {
+            double mean = sum / paths;
+            double factor = norm(pixel) * scale;
+            return Math.max(0, squares / paths - mean * mean) / paths * factor * factor;
+        }
     }
 
     private void add(double[] target, double filmX, double filmY, double r, double g, double b) {

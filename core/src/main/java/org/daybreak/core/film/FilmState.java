@@ -16,8 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param sums sample sums of the regions, one region after the other, each row by row, {@link #stride} numbers per pixel
  * @param samples number of samples
  * @param splats sums of splats, over the whole crop, {@link #splatStride} numbers per pixel: that of the lanes which were
- *     added up already, null if they have no splat; then those of closed lanes, one after the other, which a part keeps
- *     apart; then that of the open lane
+ *     added up already, null if they have no splat; then those of lanes that are kept apart; then that of the open lane
  * @param splatPaths number of subpaths that were traced for the splats
  * @param splatScale factor on the mean of the splats
  */
@@ -32,26 +31,45 @@ public record FilmState(
         long splatPaths,
         double splatScale) {
     /**
-     * Sums of splats in the order in which they are added up: (total + closed₀) + closed₁ + … + open.
+     * Sums of splats in the order in which they are added up: (total + lane₀) + lane₁ + … + open.
      *
      * @param total sum of finished lanes
-     * @param closed finished lanes that are kept apart
-     * @param open the lane that is being filled
+     * @param lanes those lanes with any splat that are kept apart, by rising numbers
+     * @param open the lane without a number that is being filled
      */
-    public record Splats(double @Nullable [] total, List<double[]> closed, double @Nullable [] open) {
+    public record Splats(double @Nullable [] total, List<Lane> lanes, double @Nullable [] open) {
         /** No splat at all. */
         public static final Splats NONE = new Splats(null, List.of(), null);
 
-        /** Copies the list. */
+        /**
+         * Copies the list.
+         *
+         * @throws IllegalArgumentException if the numbers do not rise from 0 or above
+         */
         public Splats {
-            closed = List.copyOf(closed);
+            lanes = List.copyOf(lanes);
+            int last = -1;
+            for (Lane lane : lanes) {
+                if (lane.number <= last) {
+                    throw new IllegalArgumentException("lane " + lane.number + " of splats follows lane " + last);
+                }
+                last = lane.number;
+            }
         }
 
         /** As the constructor, whose class file does not say which of its arrays may be null. */
-        public static Splats of(double @Nullable [] total, List<double[]> closed, double @Nullable [] open) {
-            return new Splats(total, closed, open);
+        public static Splats of(double @Nullable [] total, List<Lane> lanes, double @Nullable [] open) {
+            return new Splats(total, lanes, open);
         }
     }
+
+    /**
+     * A lane of splats.
+     *
+     * @param number place of the lane in the order of summation
+     * @param sums its sums
+     */
+    public record Lane(int number, double[] sums) {}
 
     /**
      * Checks that regions and lengths fit the settings.
@@ -79,8 +97,8 @@ public record FilmState(
         long splatLength = (long) crop.width() * crop.height() * splatStride(layers);
         check("sums of splats", splats.total(), splatLength);
         check("sums of splats", splats.open(), splatLength);
-        for (double[] lane : splats.closed()) {
-            check("sums of splats", lane, splatLength);
+        for (Lane lane : splats.lanes()) {
+            check("sums of splats", lane.sums, splatLength);
         }
         if (samples < 0 || splatPaths < 0) {
             throw new IllegalArgumentException("a number of samples is negative");

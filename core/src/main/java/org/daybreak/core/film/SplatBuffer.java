@@ -57,6 +57,22 @@ public final class SplatBuffer {
         return used / STRIDE;
     }
 
+    /** Film x of a splat, in pixels. */
+    public double filmX(int splat) {
+        return splats[splat * STRIDE];
+    }
+
+    /** Film y of a splat, in pixels. */
+    public double filmY(int splat) {
+        return splats[splat * STRIDE + 1];
+    }
+
+    /** Luminance of a splat. */
+    public double luminance(int splat) {
+        int at = splat * STRIDE;
+        return Spectrum.luminance(splats[at + 2], splats[at + 3], splats[at + 4]);
+    }
+
     /** Film x, film y, red, green and blue of each splat; the first {@code STRIDE·size()} entries count. */
     double[] entries() {
         return splats;

@@ -15,7 +15,8 @@ import org.daybreak.core.geometry.SurfacePoint;
  * f·cos/density equals the sampled weight; energy ≤ 1;
  * symmetric in wo, wi but for refraction, where f(wo,wi)·η_o⁻² = f(wi,wo)·η_i⁻² in {@link TransportMode#RADIANCE}
  * (Veach 1997, eq. 5.14). Delta lobes keep to the same: {@link #deltaLobe} reports what {@code sample} draws, and a lobe
- * leads back by its own number, with W(wo→wi) in RADIANCE equal to eta²·W(wi→wo) in IMPORTANCE.
+ * leads back by its own number, with W(wo→wi) in RADIANCE equal to eta²·W(wi→wo) in IMPORTANCE, times
+ * |wo·m| |wi·n| / (|wo·n| |wi·m|) if a map tilts the normal n to m.
  */
 public interface Bsdf {
     /**

@@ -99,6 +99,70 @@ class FilmStateTest {
         assertSame(whole, merged);
     }
 
+    /** Lanes that are filled by turns are added up in the order of their numbers, whatever is asked for meanwhile. */
+    @ParameterizedTest
+    @MethodSource("filters")
+    void lanesThatAreFilledByTurnsAddUpToTheWhole(ReconstructionFilter filter) {
+        int lanes = 5;
+        Film whole = film(filter);
+        Film resumed = film(filter);
+        for (int pass = 0; pass < 3; pass++) {
+            for (int lane = 0; lane < lanes; lane++) {
+                whole.commit(pass == 0 && lane % 2 == 1 ? new SplatBuffer() : splats(10 * pass + lane), 400, lane);
+            }
+        }
+        for (int pass = 0; pass < 3; pass++) {
+            for (int lane = 0; lane < lanes; lane++) {
+                resumed.commit(pass == 0 && lane % 2 == 1 ? new SplatBuffer() : splats(10 * pass + lane), 400, lane);
+                FilmState state = resumed.state(List.of());
+                resumed.develop();
+                resumed = film(filter);
+                resumed.restore(state);
+            }
+        }
+        assertSame(whole, resumed);
+        Film merged = film(filter);
+        for (int[] part : new int[][] {{0, 1}, {1, 4}, {4, 5}}) {
+            Film own = film(filter);
+            for (int pass = 0; pass < 3; pass++) {
+                for (int lane = part[0]; lane < part[1]; lane++) {
+                    own.commit(pass == 0 && lane % 2 == 1 ? new SplatBuffer() : splats(10 * pass + lane), 400, lane);
+                }
+            }
+            merged.merge(own.state(List.of()));
+        }
+        assertSame(whole, merged);
+    }
+
+    /** What a state holds does not change with the film that it was taken of, nor the other way round. */
+    @Test
+    void statesOfLanesAreCopies() {
+        Film film = film(ReconstructionFilter.BOX);
+        film.commit(splats(1), 400, 3);
+        FilmState state = film.state(List.of());
+        Film restored = film(ReconstructionFilter.BOX);
+        restored.restore(state);
+        restored.commit(splats(2), 400, 3);
+        film.commit(splats(3), 400, 3);
+        Film again = film(ReconstructionFilter.BOX);
+        again.restore(state);
+        Film expected = film(ReconstructionFilter.BOX);
+        expected.commit(splats(1), 400, 3);
+        assertSame(expected, again);
+        FilmState.Lane lane = state.splats().lanes().get(0);
+        assertEquals(3, lane.number());
+        assertThrows(IllegalArgumentException.class, () -> new FilmState.Splats(null, List.of(lane, lane), null));
+    }
+
+    private static SplatBuffer splats(long seed) {
+        SplatBuffer splats = new SplatBuffer();
+        SplittableRandom random = new SplittableRandom(seed);
+        for (int i = 0; i < 300; i++) {
+            splats.add(WIDTH * random.nextDouble(), HEIGHT * random.nextDouble(), random.nextDouble(), 1, 0.1);
+        }
+        return splats;
+    }
+
     @Test
     void openLanesAreNotMerged() {
         Film part = film(ReconstructionFilter.BOX);
