@@ -42,6 +42,7 @@ public final class SpecularManifold {
     private SpecularChain trial = new SpecularChain();
     private final SpecularChain back = new SpecularChain();
     private int iterations;
+    /** Why the trial in hand has failed. */
     private WalkOutcome failure = WalkOutcome.STALLED;
 
     /** What is left to the target from the chain last looked at: a vector across its last ray, and its length relative. */
@@ -148,10 +149,10 @@ public final class SpecularManifold {
         double stepY = 0;
         double stepZ = 0;
         boolean predicted = false;
-        failure = WalkOutcome.STALLED;
+        WalkOutcome lastFailure = WalkOutcome.STALLED;
         for (int left = MOST_ITERATIONS; error > TOLERANCE; left--) {
             if (left == 0) {
-                return failure;
+                return lastFailure;
             }
             iterations++;
             if (!predicted) {
@@ -179,6 +180,7 @@ public final class SpecularManifold {
                 size = Math.min(1, 2 * size);
                 predicted = false;
             } else {
+                lastFailure = failure;
                 error = before;
                 size *= 0.5;
             }
