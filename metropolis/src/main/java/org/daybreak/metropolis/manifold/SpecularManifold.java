@@ -131,12 +131,12 @@ public final class SpecularManifold {
      */
     public WalkOutcome walkReversibly(SpecularChain from, ChainEnd target, SpecularChain to) {
         WalkOutcome outcome = walk(from, target, to);
-        if (outcome != WalkOutcome.CONVERGED) {
-            return outcome;
-        }
-        return continueWalk(to, from.end, back) == WalkOutcome.CONVERGED && isSame(from, back)
-                ? WalkOutcome.CONVERGED
-                : WalkOutcome.NOT_REVERSIBLE;
+        return outcome == WalkOutcome.CONVERGED && !leadsBack(from, to) ? WalkOutcome.NOT_REVERSIBLE : outcome;
+    }
+
+    /** True if the walk back from where a walk has led finds the old chain. */
+    public boolean leadsBack(SpecularChain from, SpecularChain to) {
+        return continueWalk(to, from.end, back) == WalkOutcome.CONVERGED && isSame(from, back);
     }
 
     private WalkOutcome continueWalk(SpecularChain from, ChainEnd target, SpecularChain to) {
