@@ -40,10 +40,10 @@ final class ChainRun {
     /** Part of the time that is left which the candidates may take. */
     private static final double BOOTSTRAP_SHARE = 0.2;
 
-    /** So many mutations per pixel are in later passes; the first ones double, from a fraction of one on. */
-    private static final int LARGEST_PASS = 16;
+    /** Mutations per pixel in the first pass; up to the largest pass, the number at the end of each is double that before. */
+    private static final double FIRST_PASS = 0.25;
 
-    private static final int FIRST_PASSES = 7;
+    private static final int LARGEST_PASS = 16;
 
     /** Chains are divided into so many lanes, if the images of these have no more pixels than that together. */
     private static final int MOST_LANES = 16;
@@ -381,11 +381,8 @@ final class ChainRun {
 
     /** Number of passes that are complete after a number of mutations per pixel: ¼, ½, 1, … 16, 32, 48, … */
     private static long passes(double mutations) {
-        if (mutations >= LARGEST_PASS) {
-            return FIRST_PASSES - 1 + (long) (mutations / LARGEST_PASS);
-        }
-        int done = 0;
-        for (double end = Math.scalb(LARGEST_PASS, 1 - FIRST_PASSES); end <= mutations; end *= 2) {
+        long done = (long) (mutations / LARGEST_PASS);
+        for (double end = FIRST_PASS; end < LARGEST_PASS && end <= mutations; end *= 2) {
             done++;
         }
         return done;
