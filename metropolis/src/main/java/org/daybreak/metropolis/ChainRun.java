@@ -40,8 +40,16 @@ final class ChainRun {
     /** Part of the time that is left which the candidates may take. */
     private static final double BOOTSTRAP_SHARE = 0.2;
 
-    /** Part of a mutation per pixel after which the image is worth a look. */
-    private static final int PASSES_PER_MUTATION = 4;
+    /** So many mutations per pixel are in later passes; the first ones double, from a fraction of one on. */
+    private static final int LARGEST_PASS = 16;
+
+    private static final int FIRST_PASSES = 7;
+
+    /** Chains are divided into so many lanes, if the images of these have no more pixels than that together. */
+    private static final int MOST_LANES = 16;
+
+    private static final int LEAST_LANES = 4;
+    private static final long PIXELS_OF_LANES = 1L << 24;
 
     private final ChainAlgorithm algorithm;
     private final ChainSettings settings;
@@ -58,6 +66,7 @@ final class ChainRun {
     private final boolean limited;
 
     private final int allChains;
+    private final int lanes;
     private final int firstChain;
     private final int endChain;
     private final RoundSchedule schedule;
@@ -111,13 +120,16 @@ final class ChainRun {
         limited = context.budget().samplesPerPixel() < Integer.MAX_VALUE;
         long total = limited ? settings.steps(pixels) : Long.MAX_VALUE;
         allChains = (int) Math.min(settings.seedPaths(), total);
+        long fitting = Math.max(LEAST_LANES, Math.min(MOST_LANES, PIXELS_OF_LANES / pixels));
+        lanes = (int) Math.min(allChains, fitting);
         RenderPart part = context.part();
-        if (part.count() > allChains) {
-            throw new ParameterException("a render with " + allChains
-                    + " Markov chains can be cut into at most so many parts, not " + part.count());
+        if (part.count() > lanes && !direct.isAll()) {
+            throw new ParameterException("what " + allChains + " Markov chains bring to an image of " + pixels
+                    + " pixels is added up in " + lanes + " lanes: it can be cut into at most so many parts, not "
+                    + part.count());
         }
-        firstChain = (int) part.first(allChains);
-        endChain = (int) part.end(allChains);
+        firstChain = laneStart(part.first(lanes));
+        endChain = laneStart(part.end(lanes));
         schedule = new RoundSchedule(total, allChains, firstChain, endChain);
         statistics = new ChainStatistics(algorithm.moves().size());
         convergence = new ChainConvergence(film.settings(), firstChain, endChain);
@@ -128,9 +140,16 @@ final class ChainRun {
         double share = direct.exists() ? direct.share() : 0;
         double all = share == 1 ? (double) settings.directSamples() * pixels : mutations / (1 - share);
         progress = new ProgressReporter(context, clock, film, all, resumedSamples);
-        if (!part.isWhole()) {
-            film.keepSplatLanes();
-        }
+        film.useDependentSplats();
+    }
+
+    private int laneStart(long lane) {
+        return (int) (allChains * lane / lanes);
+    }
+
+    /** The largest lane that starts at or before a chain. */
+    private int laneOf(int chain) {
+        return (int) ((lanes * (chain + 1L) - 1) / allChains);
     }
 
     RenderReport run() {
@@ -360,15 +379,24 @@ final class ChainRun {
 
     // The chains.
 
+    /** Number of passes that are complete after a number of mutations per pixel: ¼, ½, 1, … 16, 32, 48, … */
+    private static long passes(double mutations) {
+        if (mutations >= LARGEST_PASS) {
+            return FIRST_PASSES - 1 + (long) (mutations / LARGEST_PASS);
+        }
+        int done = 0;
+        for (double end = Math.scalb(LARGEST_PASS, 1 - FIRST_PASSES); end <= mutations; end *= 2) {
+            done++;
+        }
+        return done;
+    }
+
     private void moveChains() {
         ChainWorkers workers = allWorkers.get(allWorkers.size() - 1);
-        film.setSplatScale(b * pixels);
+        film.setSplatScale(b * pixels, standardError / b);
         Rounds rounds = new Rounds(workers);
         rounds.run(workers.count());
         complete = targetReached || schedule.isDone();
-        if (complete && !context.part().isWhole()) {
-            film.closeSplatLane();
-        }
         endPhase("render");
     }
 
@@ -388,19 +416,17 @@ final class ChainRun {
             if (targetReached) {
                 return;
             }
-            film.commit(unit.splats, unit.steps);
+            film.commit(unit.splats, unit.steps, laneOf(unit.chain));
             statistics.add(unit.statistics);
             convergence.add(unit.chain, unit.splats, unit.steps);
             addNonFinite(unit, context.seed());
             // Commits are made one at a time; only those who watch read meanwhile.
             long done = steps + unit.steps;
-            long before = steps * PASSES_PER_MUTATION / pixels;
-            long now = done * PASSES_PER_MUTATION / pixels;
             steps = done;
-            if (now > before) {
-                long finished = passes + 1;
-                passes = finished;
-                checkTarget(now / PASSES_PER_MUTATION > before / PASSES_PER_MUTATION);
+            long now = passes(done / (double) pixels);
+            if (now > passes) {
+                passes = now;
+                checkTarget();
             }
         }
 
@@ -422,9 +448,9 @@ final class ChainRun {
     }
 
     /** In order with the commits, and not when somebody looks: so it does not depend on how fast things go. */
-    private void checkTarget(boolean mutationDone) {
+    private void checkTarget() {
         double target = context.budget().targetError();
-        if (mutationDone && target > 0 && film.relativeError() < target) {
+        if (target > 0 && film.relativeError() < target) {
             targetReached = true;
             clock.stop();
         }
