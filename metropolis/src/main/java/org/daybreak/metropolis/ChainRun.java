@@ -385,7 +385,7 @@ final class ChainRun {
             return FIRST_PASSES - 1 + (long) (mutations / LARGEST_PASS);
         }
         int done = 0;
-        for (double end = Math.scalb(LARGEST_PASS, 1 - FIRST_PASSES); end <= mutations; end *= 2) {
+        for (double end = Math.scalb((double) LARGEST_PASS, 1 - FIRST_PASSES); end <= mutations; end *= 2) {
             done++;
         }
         return done;
@@ -420,8 +420,10 @@ final class ChainRun {
             statistics.add(unit.statistics);
             convergence.add(unit.chain, unit.splats, unit.steps);
             addNonFinite(unit, context.seed());
-            steps += unit.steps;
-            long now = passes(steps / (double) pixels);
+            // Commits are made one at a time; only those who watch read meanwhile.
+            long done = steps + unit.steps;
+            steps = done;
+            long now = passes(done / (double) pixels);
             if (now > passes) {
                 passes = now;
                 checkTarget();
