@@ -42,7 +42,8 @@ class MetropolisAntiAliaserTest {
                 aliaser(5).pixel(0) + PIXELS * aliaser(5).pixel(1),
                 aliaser(5).pixel(PIXELS) + PIXELS * aliaser(5).pixel(PIXELS + 1L));
         assertNotEquals(
-                aliaser(5).pixel(0) + PIXELS * aliaser(5).pixel(1), aliaser(6).pixel(0) + PIXELS * aliaser(6).pixel(1));
+                aliaser(5).pixel(0) + PIXELS * aliaser(5).pixel(1),
+                aliaser(6).pixel(0) + PIXELS * aliaser(6).pixel(1));
     }
 
     @Test
@@ -72,7 +73,9 @@ class MetropolisAntiAliaserTest {
             counts[(int) (rings * Math.log(r / 0.1) / Math.log(8 / 0.1) * (1 - 1e-12))]++;
         }
         ZTest.assertNotRejected(
-                "distances", ChiSquareTest.compare("distances", counts, expected).pValue(), 1e-5);
+                "distances",
+                ChiSquareTest.compare("distances", counts, expected).pValue(),
+                1e-5);
         assertEquals(8, aliaser.distance(0), 1e-12);
         assertEquals(0.1, aliaser.distance(1), 1e-12);
     }

@@ -13,6 +13,7 @@ import org.daybreak.metropolis.strategy.CausticPerturbationStrat;
 import org.daybreak.metropolis.strategy.FilmStrata;
 import org.daybreak.metropolis.strategy.LensPerturbationStrat;
 import org.daybreak.metropolis.strategy.LensSubpathStrat;
+import org.daybreak.metropolis.strategy.ManifoldPerturbationStrat;
 import org.daybreak.metropolis.strategy.MultiChainPerturbationStrat;
 import org.daybreak.metropolis.strategy.MutationStrategy;
 import org.daybreak.metropolis.strategy.PathLimits;
@@ -90,9 +91,10 @@ final class MetropolisAlgorithm implements ChainAlgorithm {
                         case "lensSubpath" -> new LensSubpathStrat(weight, limits, strata(width, pixels, seed));
                         case "lens" -> new LensPerturbationStrat(weight, settings.smallestJump(), jump);
                         case "caustic" -> new CausticPerturbationStrat(weight, settings.smallestAngle(), angle);
-                        default ->
+                        case "multiChain" ->
                             new MultiChainPerturbationStrat(
                                     weight, settings.smallestJump(), jump, settings.smallestAngle(), angle);
+                        default -> new ManifoldPerturbationStrat(weight, settings.smallestJump(), jump);
                     });
         }
         return all;
