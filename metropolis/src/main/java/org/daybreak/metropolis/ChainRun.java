@@ -287,7 +287,7 @@ final class ChainRun {
         endPhase("prepare");
         workers.setImportance(importance);
         StartDistribution distribution =
-                bootstrap(workers, context.seed(), settings.bootstrapSamples(), BOOTSTRAP_SHARE);
+                bootstrap(workers, context.seed(), settings.candidates(pixels), BOOTSTRAP_SHARE);
         if (isStopped()) {
             return;
         }
@@ -310,7 +310,7 @@ final class ChainRun {
         ChainWorkers workers = newWorkers(seed);
         endPhase("prepare");
         double end = clock.seconds() + clock.secondsLeft() / FIRST_STAGE;
-        int least = Math.max(1, settings.bootstrapSamples() / FIRST_STAGE);
+        int least = Math.max(1, settings.candidates(pixels) / FIRST_STAGE);
         StartDistribution distribution = bootstrap(workers, seed, least, BOOTSTRAP_SHARE / FIRST_STAGE);
         long total = Math.max(1, settings.steps(pixels) / FIRST_STAGE);
         int count = (int) Math.min(settings.seedPaths(), total);
