@@ -562,6 +562,11 @@ final class ChainRun {
         return rays;
     }
 
+    /** NaN if chains are not comparable. */
+    private double rHat() {
+        return algorithm.hasOneTarget() ? convergence.rHat() : Double.NaN;
+    }
+
     private Map<String, Double> figures() {
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("relativeError", progress.relativeError());
@@ -575,7 +580,7 @@ final class ChainRun {
             figures.put("chains", (double) allChains);
             figures.put("mutationsPerPixel", mutationsPerPixel());
             figures.put("longestRejection", (double) statistics.longestRejection);
-            figures.put("rHat", convergence.rHat());
+            figures.put("rHat", rHat());
             figures.putAll(ChainReports.moveFigures(algorithm.moves(), statistics));
         }
         return figures;
@@ -602,11 +607,7 @@ final class ChainRun {
         }
         if (begun && steps > 0) {
             all.addAll(ChainReports.warnings(
-                    b,
-                    standardError,
-                    convergence.rHat(),
-                    statistics.longestRejection,
-                    (double) steps / (endChain - firstChain)));
+                    b, standardError, rHat(), statistics.longestRejection, (double) steps / (endChain - firstChain)));
         }
         return all;
     }

@@ -93,7 +93,9 @@ final class MetropolisAlgorithm implements ChainAlgorithm {
                         case "multiChain" ->
                             new MultiChainPerturbationStrat(
                                     weight, settings.smallestJump(), jump, settings.smallestAngle(), angle);
-                        default -> new ManifoldPerturbationStrat(weight, settings.smallestJump(), jump);
+                        default ->
+                            new ManifoldPerturbationStrat(
+                                    weight, settings.smallestJump(), jump, settings.smallestAngle(), angle);
                     });
         }
         return all;

@@ -140,11 +140,11 @@ class ManifoldPerturbationStratTest {
     }
 
     private static void check(String name, Scene scene, int count) {
-        MutationStrategy strategy = new ManifoldPerturbationStrat(1, 0.1, 4);
+        MutationStrategy strategy = new ManifoldPerturbationStrat(1, 0.1, 4, 0.1, 4);
         BidirectionalSettings settings =
-                new BidirectionalSettings(-1, -1, 7, 1, BidirectionalSettings.Roulette.NONE, 3, 1, false, true);
+                new BidirectionalSettings(-1, -1, 7, 1, BidirectionalSettings.Roulette.NONE, 3, 1, false, true, 2);
         MetropolisProcessor worker =
-                new MetropolisProcessor(scene, scene.camera(), 1, 2, settings, List.of(strategy), true, count);
+                new MetropolisProcessor(scene, scene.camera(), 1, settings, List.of(strategy), true, count);
         RandomStream random = new RandomStream(7, StreamDomain.SELF_CHECK, 0, 0);
         SplatBuffer splats = new SplatBuffer();
         ChainStatistics statistics = new ChainStatistics(1);

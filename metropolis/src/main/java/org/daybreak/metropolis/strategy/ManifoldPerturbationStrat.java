@@ -24,6 +24,8 @@ public final class ManifoldPerturbationStrat extends MutationStrategy {
 
     private final double smallest;
     private final double largest;
+    private final double smallestTilt;
+    private final double largestTilt;
 
     /**
      * Creates the strategy.
@@ -31,11 +33,16 @@ public final class ManifoldPerturbationStrat extends MutationStrategy {
      * @param weight relative probability of choosing it
      * @param smallest r₁, in pixels
      * @param largest r₂, in pixels
+     * @param smallestTilt r₁ of tilted directions, in pixels that they correspond to
+     * @param largestTilt r₂ of tilted directions, in pixels that they correspond to
      */
-    public ManifoldPerturbationStrat(double weight, double smallest, double largest) {
+    public ManifoldPerturbationStrat(
+            double weight, double smallest, double largest, double smallestTilt, double largestTilt) {
         super(weight);
         this.smallest = smallest;
         this.largest = largest;
+        this.smallestTilt = smallestTilt;
+        this.largestTilt = largestTilt;
     }
 
     @Override
@@ -165,7 +172,8 @@ public final class ManifoldPerturbationStrat extends MutationStrategy {
         }
         y.copy(x, a, x.length - a, a);
         y.copyLens(x);
-        if (!Tilt.tilt(-x.dx[a - 1], -x.dy[a - 1], -x.dz[a - 1], smallest, largest, scale(x, a, b), random, builder)) {
+        if (!Tilt.tilt(
+                -x.dx[a - 1], -x.dy[a - 1], -x.dz[a - 1], smallestTilt, largestTilt, scale(x, a, b), random, builder)) {
             return builder.fail(Outcome.MISSED);
         }
         boolean met = builder.traceToLight(y, a, random);
@@ -174,7 +182,7 @@ public final class ManifoldPerturbationStrat extends MutationStrategy {
 
     private boolean perturbTowardsEye(
             LightPath x, LightPath y, int a, int b, PathBuilder builder, RandomStream random) {
-        if (!Tilt.tilt(x.dx[a], x.dy[a], x.dz[a], smallest, largest, scale(x, a, b), random, builder)) {
+        if (!Tilt.tilt(x.dx[a], x.dy[a], x.dz[a], smallestTilt, largestTilt, scale(x, a, b), random, builder)) {
             return builder.fail(Outcome.MISSED);
         }
         if (!builder.traceToEye(y, a, random)) {
@@ -210,8 +218,8 @@ public final class ManifoldPerturbationStrat extends MutationStrategy {
                 -to.dx[a - 1],
                 -to.dy[a - 1],
                 -to.dz[a - 1],
-                smallest,
-                largest,
+                smallestTilt,
+                largestTilt,
                 scale(from, a, b));
         density *= PathBuilder.towardsLight(to, a - 1) * to.clear[a - 1] * to.opacity[a - 1];
         return density * LensPiece.density(to, a - 1, b);
