@@ -15,10 +15,17 @@ import org.daybreak.core.film.SplatBuffer;
  * round; of chains that stay where they started V̂ is larger by orders of magnitude. R̂² = (U − 1)/U + V̂/(Ŵ·U) is the potential
  * scale reduction of Gelman and Rubin (Statistical Science 7(4), 1992) with rounds in the place of steps, which are too noisy to
  * tell anything. The largest R̂ of all regions with at least 1 % of the light counts.
+ *
+ * <p>Many chains may cover an image well that none of them has explored. Whether they do is told by the standard error that the
+ * scatter of their means leaves in the brightness of a region, √(Σ(S − m·N)²·C/(C − 1))/Σ S with sums S of the chains and the mean m of
+ * all: the largest one, again of regions with at least 1 % of the light.
  */
 final class ChainConvergence {
     /** Above this, chains have not explored the image. */
     static final double LIMIT = 1.1;
+
+    /** Above this, the brightness of a region is not known. */
+    static final double ERROR_LIMIT = 0.05;
 
     private static final int GRID = 4;
     private static final int REGIONS = GRID * GRID;
@@ -85,6 +92,20 @@ final class ChainConvergence {
         if (chains < LEAST_CHAINS || rounds[chains - 1] < LEAST_ROUNDS) {
             return Double.NaN;
         }
+        return largest(this::rHat);
+    }
+
+    /** Relative standard error of the brightness of a region; NaN if there are fewer than two chains. */
+    double regionError() {
+        return chains < 2 || steps[chains - 1] == 0 ? Double.NaN : largest(this::error);
+    }
+
+    /** A figure of a region, from its number and the sum of its light. */
+    private interface Figure {
+        double of(int region, double light);
+    }
+
+    private double largest(Figure figure) {
         double[] light = new double[REGIONS];
         double total = 0;
         for (int i = 0; i < sums.length; i++) {
@@ -94,7 +115,7 @@ final class ChainConvergence {
         double largest = Double.NaN;
         for (int r = 0; r < REGIONS; r++) {
             if (light[r] > 0 && light[r] >= LEAST_SHARE * total) {
-                double value = rHat(r, light[r]);
+                double value = figure.of(r, light[r]);
                 largest = Double.isNaN(largest) ? value : Math.max(largest, value);
             }
         }
@@ -125,6 +146,19 @@ final class ChainConvergence {
         within /= allRounds - chains;
         double perChain = allRounds / chains;
         return Math.sqrt((perChain - 1) / perChain + between / (within * perChain));
+    }
+
+    private double error(int region, double light) {
+        long allSteps = 0;
+        for (int c = 0; c < chains; c++) {
+            allSteps += steps[c];
+        }
+        double squared = 0;
+        for (int c = 0; c < chains; c++) {
+            double difference = sums[c * REGIONS + region] - light * steps[c] / allSteps;
+            squared += difference * difference;
+        }
+        return Math.sqrt(squared * chains / (chains - 1)) / light;
     }
 
     /** Writes all sums. */

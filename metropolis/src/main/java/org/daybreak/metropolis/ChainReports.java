@@ -43,10 +43,17 @@ final class ChainReports {
     /**
      * What the user should know of the chains.
      *
+     * @param rHat see {@link ChainConvergence#rHat}
+     * @param regionError see {@link ChainConvergence#regionError}
      * @param stepsOfChain steps that a chain has taken on average
      */
     static List<String> warnings(
-            double b, double standardError, double rHat, long longestRejection, double stepsOfChain) {
+            double b,
+            double standardError,
+            double rHat,
+            double regionError,
+            long longestRejection,
+            double stepsOfChain) {
         List<String> warnings = new ArrayList<>();
         if (standardError > LARGE_ERROR * b) {
             warnings.add(String.format(
@@ -54,12 +61,14 @@ final class ChainReports {
                     "the brightness of the image is known to %.0f %% only: raise bootstrapSamples",
                     100 * standardError / b));
         }
-        if (rHat > ChainConvergence.LIMIT) {
+        if (rHat > ChainConvergence.LIMIT && regionError > ChainConvergence.ERROR_LIMIT) {
             warnings.add(String.format(
                     Locale.ROOT,
                     "the chains differ from each other more than they should (R-hat %.3g): even where it looks smooth"
-                            + " the image has not converged; raise mutationsPerPixel",
-                    rHat));
+                            + " the image has not converged, the brightness of a part of it is known to %.0f %% only; raise"
+                            + " mutationsPerPixel",
+                    rHat,
+                    100 * regionError));
         }
         if (stepsOfChain >= LEAST_STEPS && longestRejection > LONG_REJECTION * stepsOfChain) {
             warnings.add(String.format(

@@ -581,6 +581,7 @@ final class ChainRun {
             figures.put("mutationsPerPixel", mutationsPerPixel());
             figures.put("longestRejection", (double) statistics.longestRejection);
             figures.put("rHat", rHat());
+            figures.put("regionError", convergence.regionError());
             figures.putAll(ChainReports.moveFigures(algorithm.moves(), statistics));
         }
         return figures;
@@ -607,7 +608,11 @@ final class ChainRun {
         }
         if (begun && steps > 0) {
             all.addAll(ChainReports.warnings(
-                    b, standardError, rHat(), statistics.longestRejection, (double) steps / (endChain - firstChain)));
+                    b,
+                    standardError,
+                    rHat(),
+                    convergence.regionError(),
+                    statistics.longestRejection, (double) steps / (endChain - firstChain)));
         }
         return all;
     }

@@ -51,6 +51,19 @@ class ChainConvergenceTest {
         assertTrue(few > ChainConvergence.LIMIT && few < 2, () -> "R̂ " + few);
     }
 
+    /** Chains that stay where they are: the number of those in a region is binomial with probability 1/16. */
+    @Test
+    void brightnessOfRegionsIsKnownFromTheNumberOfChains() {
+        for (int chains : new int[] {100, 2000}) {
+            double error = run(chains, 5, 1e9).regionError();
+            // The darkest of 16 regions counts: a little more.
+            double expected = Math.sqrt(15.0 / chains);
+            assertTrue(error > expected && error < 1.8 * expected, () -> chains + " chains: " + error);
+        }
+        assertTrue(run(100, 40, 1).regionError() < 0.02);
+        assertTrue(Double.isNaN(run(1, 40, 1).regionError()));
+    }
+
     @Test
     void isUnknownWithoutEnoughToCompare() {
         assertTrue(Double.isNaN(run(3, 40, 1).rHat()));
@@ -69,6 +82,7 @@ class ChainConvergenceTest {
             }
         }
         assertEquals(1, convergence.rHat());
+        assertEquals(0, convergence.regionError(), 1e-15);
     }
 
     @Test
