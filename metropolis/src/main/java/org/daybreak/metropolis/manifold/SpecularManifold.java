@@ -22,7 +22,7 @@ import org.daybreak.core.scene.Scene;
  */
 public final class SpecularManifold {
     /** Largest number of steps and halved steps of a walk. */
-    public static final int MOST_ITERATIONS = 30;
+    public static final int MOST_ITERATIONS = 10;
 
     /** Error at which a walk has arrived. */
     public static final double TOLERANCE = 1e-9;
