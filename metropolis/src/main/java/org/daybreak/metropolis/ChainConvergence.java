@@ -115,7 +115,11 @@ final class ChainConvergence {
             double sum = sums[c * REGIONS + region];
             double difference = sum / steps[c] - mean;
             between += steps[c] * difference * difference;
+            // Rounding may leave a little less than nothing of a chain that brings the same in each step.
             within += squares[c * REGIONS + region] - sum * sum / steps[c];
+        }
+        if (!(within > 0)) {
+            return between > 0 ? Double.POSITIVE_INFINITY : 1;
         }
         between /= chains - 1;
         within /= allRounds - chains;

@@ -40,8 +40,16 @@ final class ChainRun {
     /** Part of the time that is left which the candidates may take. */
     private static final double BOOTSTRAP_SHARE = 0.2;
 
-    /** Part of a mutation per pixel after which the image is worth a look. */
-    private static final int PASSES_PER_MUTATION = 4;
+    /** Mutations per pixel in the first pass; up to the largest pass, the number at the end of each is double that before. */
+    private static final double FIRST_PASS = 0.25;
+
+    private static final int LARGEST_PASS = 16;
+
+    /** Chains are divided into so many lanes, if the images of these have no more pixels than that together. */
+    private static final int MOST_LANES = 16;
+
+    private static final int LEAST_LANES = 4;
+    private static final long PIXELS_OF_LANES = 1L << 24;
 
     private final ChainAlgorithm algorithm;
     private final ChainSettings settings;
@@ -58,6 +66,7 @@ final class ChainRun {
     private final boolean limited;
 
     private final int allChains;
+    private final int lanes;
     private final int firstChain;
     private final int endChain;
     private final RoundSchedule schedule;
@@ -111,13 +120,16 @@ final class ChainRun {
         limited = context.budget().samplesPerPixel() < Integer.MAX_VALUE;
         long total = limited ? settings.steps(pixels) : Long.MAX_VALUE;
         allChains = (int) Math.min(settings.seedPaths(), total);
+        long fitting = Math.max(LEAST_LANES, Math.min(MOST_LANES, PIXELS_OF_LANES / pixels));
+        lanes = (int) Math.min(allChains, fitting);
         RenderPart part = context.part();
-        if (part.count() > allChains) {
-            throw new ParameterException("a render with " + allChains
-                    + " Markov chains can be cut into at most so many parts, not " + part.count());
+        if (part.count() > lanes && !direct.isAll()) {
+            throw new ParameterException("what " + allChains + " Markov chains bring to an image of " + pixels
+                    + " pixels is added up in " + lanes + " lanes: it can be cut into at most so many parts, not "
+                    + part.count());
         }
-        firstChain = (int) part.first(allChains);
-        endChain = (int) part.end(allChains);
+        firstChain = laneStart(part.first(lanes));
+        endChain = laneStart(part.end(lanes));
         schedule = new RoundSchedule(total, allChains, firstChain, endChain);
         statistics = new ChainStatistics(algorithm.moves().size());
         convergence = new ChainConvergence(film.settings(), firstChain, endChain);
@@ -128,9 +140,16 @@ final class ChainRun {
         double share = direct.exists() ? direct.share() : 0;
         double all = share == 1 ? (double) settings.directSamples() * pixels : mutations / (1 - share);
         progress = new ProgressReporter(context, clock, film, all, resumedSamples);
-        if (!part.isWhole()) {
-            film.keepSplatLanes();
-        }
+        film.useDependentSplats();
+    }
+
+    private int laneStart(long lane) {
+        return (int) (allChains * lane / lanes);
+    }
+
+    /** The largest lane that starts at or before a chain. */
+    private int laneOf(int chain) {
+        return (int) ((lanes * (chain + 1L) - 1) / allChains);
     }
 
     RenderReport run() {
@@ -268,7 +287,7 @@ final class ChainRun {
         endPhase("prepare");
         workers.setImportance(importance);
         StartDistribution distribution =
-                bootstrap(workers, context.seed(), settings.bootstrapSamples(), BOOTSTRAP_SHARE);
+                bootstrap(workers, context.seed(), settings.candidates(pixels), BOOTSTRAP_SHARE);
         if (isStopped()) {
             return;
         }
@@ -291,7 +310,7 @@ final class ChainRun {
         ChainWorkers workers = newWorkers(seed);
         endPhase("prepare");
         double end = clock.seconds() + clock.secondsLeft() / FIRST_STAGE;
-        int least = Math.max(1, settings.bootstrapSamples() / FIRST_STAGE);
+        int least = Math.max(1, settings.candidates(pixels) / FIRST_STAGE);
         StartDistribution distribution = bootstrap(workers, seed, least, BOOTSTRAP_SHARE / FIRST_STAGE);
         long total = Math.max(1, settings.steps(pixels) / FIRST_STAGE);
         int count = (int) Math.min(settings.seedPaths(), total);
@@ -360,15 +379,21 @@ final class ChainRun {
 
     // The chains.
 
+    /** Number of passes that are complete after a number of mutations per pixel: ¼, ½, 1, … 16, 32, 48, … */
+    private static long passes(double mutations) {
+        long done = (long) (mutations / LARGEST_PASS);
+        for (double end = FIRST_PASS; end < LARGEST_PASS && end <= mutations; end *= 2) {
+            done++;
+        }
+        return done;
+    }
+
     private void moveChains() {
         ChainWorkers workers = allWorkers.get(allWorkers.size() - 1);
-        film.setSplatScale(b * pixels);
+        film.setSplatScale(b * pixels, standardError / b);
         Rounds rounds = new Rounds(workers);
         rounds.run(workers.count());
         complete = targetReached || schedule.isDone();
-        if (complete && !context.part().isWhole()) {
-            film.closeSplatLane();
-        }
         endPhase("render");
     }
 
@@ -388,19 +413,17 @@ final class ChainRun {
             if (targetReached) {
                 return;
             }
-            film.commit(unit.splats, unit.steps);
+            film.commit(unit.splats, unit.steps, laneOf(unit.chain));
             statistics.add(unit.statistics);
             convergence.add(unit.chain, unit.splats, unit.steps);
             addNonFinite(unit, context.seed());
             // Commits are made one at a time; only those who watch read meanwhile.
             long done = steps + unit.steps;
-            long before = steps * PASSES_PER_MUTATION / pixels;
-            long now = done * PASSES_PER_MUTATION / pixels;
             steps = done;
-            if (now > before) {
-                long finished = passes + 1;
-                passes = finished;
-                checkTarget(now / PASSES_PER_MUTATION > before / PASSES_PER_MUTATION);
+            long now = passes(done / (double) pixels);
+            if (now > passes) {
+                passes = now;
+                checkTarget();
             }
         }
 
@@ -422,9 +445,9 @@ final class ChainRun {
     }
 
     /** In order with the commits, and not when somebody looks: so it does not depend on how fast things go. */
-    private void checkTarget(boolean mutationDone) {
+    private void checkTarget() {
         double target = context.budget().targetError();
-        if (mutationDone && target > 0 && film.relativeError() < target) {
+        if (target > 0 && film.relativeError() < target) {
             targetReached = true;
             clock.stop();
         }
@@ -539,6 +562,11 @@ final class ChainRun {
         return rays;
     }
 
+    /** NaN if chains are not comparable. */
+    private double rHat() {
+        return algorithm.hasOneTarget() ? convergence.rHat() : Double.NaN;
+    }
+
     private Map<String, Double> figures() {
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("relativeError", progress.relativeError());
@@ -552,7 +580,7 @@ final class ChainRun {
             figures.put("chains", (double) allChains);
             figures.put("mutationsPerPixel", mutationsPerPixel());
             figures.put("longestRejection", (double) statistics.longestRejection);
-            figures.put("rHat", convergence.rHat());
+            figures.put("rHat", rHat());
             figures.putAll(ChainReports.moveFigures(algorithm.moves(), statistics));
         }
         return figures;
@@ -579,11 +607,7 @@ final class ChainRun {
         }
         if (begun && steps > 0) {
             all.addAll(ChainReports.warnings(
-                    b,
-                    standardError,
-                    convergence.rHat(),
-                    statistics.longestRejection,
-                    (double) steps / (endChain - firstChain)));
+                    b, standardError, rHat(), statistics.longestRejection, (double) steps / (endChain - firstChain)));
         }
         return all;
     }

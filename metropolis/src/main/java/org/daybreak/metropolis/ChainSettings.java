@@ -13,7 +13,7 @@ import org.daybreak.core.render.ParameterValues;
  * @param directSamples samples per pixel of that part
  * @param twoStage whether a first, short run makes a rough image by which the second spreads its steps more evenly
  * @param reduction edge in pixels of the cells of the rough image
- * @param bootstrapSamples number of candidates for the starts of the chains
+ * @param bootstrapSamples number of candidates for the starts of the chains; 0 to go by the number of steps
  */
 public record ChainSettings(
         int seedPaths,
@@ -23,6 +23,10 @@ public record ChainSettings(
         boolean twoStage,
         int reduction,
         int bootstrapSamples) {
+    private static final int LEAST_CANDIDATES = 100_000;
+    private static final int MOST_CANDIDATES = 20_000_000;
+    private static final int STEPS_PER_CANDIDATE = 8;
+
     /** The parameters from which the settings are made. */
     public static final List<Parameter> PARAMETERS = List.of(
             Parameter.integer(
@@ -72,12 +76,13 @@ public record ChainSettings(
             Parameter.integer(
                     "bootstrapSamples",
                     "Samples for the start",
-                    100_000,
-                    1,
+                    0,
+                    0,
                     100_000_000,
                     "Number of bidirectional samples from which the brightness of the image is estimated, and from which"
-                            + " the starts of the chains are drawn. Each takes 8 bytes of memory. Does not change the"
-                            + " mean."));
+                            + " the starts of the chains are drawn; 0 for an eighth of the mutations, at least 100000. Each"
+                            + " takes 8 bytes of memory. With a time limit they end after a fifth of the time. Does not"
+                            + " change the mean."));
 
     /** Settings from parameter values. */
     public static ChainSettings of(ParameterValues values) {
@@ -94,6 +99,20 @@ public record ChainSettings(
     /** Steps of all chains together on a film with a number of pixels. */
     long steps(long pixels) {
         return Math.multiplyExact(pixels, mutationsPerPixel);
+    }
+
+    /**
+     * Number of candidates on a film with a number of pixels. The brightness is a factor on the whole image, so the more the chains do the
+     * better it must be known.
+     */
+    int candidates(long pixels) {
+        if (bootstrapSamples > 0) {
+            return bootstrapSamples;
+        }
+        if (mutationsPerPixel == Integer.MAX_VALUE) {
+            return MOST_CANDIDATES;
+        }
+        return (int) Math.min(MOST_CANDIDATES, Math.max(LEAST_CANDIDATES, steps(pixels) / STEPS_PER_CANDIDATE));
     }
 
     /** What part of all work the direct light is, counted in samples and mutations. */

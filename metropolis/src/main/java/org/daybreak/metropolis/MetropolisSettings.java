@@ -35,21 +35,27 @@ public record MetropolisSettings(
         double largestAngle,
         boolean expectedValues) {
     /** Names of the strategies. */
-    static final List<String> STRATEGIES = List.of("bidirectional", "lensSubpath", "lens", "caustic", "multiChain");
+    static final List<String> STRATEGIES =
+            List.of("bidirectional", "lensSubpath", "lens", "caustic", "multiChain", "manifold");
 
     private static final List<String> LABELS = List.of(
             "Bidirectional mutation",
             "Lens subpath mutation",
             "Lens perturbation",
             "Caustic perturbation",
-            "Multi-chain perturbation");
+            "Multi-chain perturbation",
+            "Manifold perturbation");
+
+    /** Perturbations are cheap and mostly accepted; manifold walks are dear, and apply where others do, too. */
+    private static final List<Double> WEIGHTS = List.of(0.5, 0.5, 1.0, 1.0, 1.0, 0.25);
 
     private static final List<String> DOCS = List.of(
             "replaces a piece of a path by one of any length. Only with it can a chain reach all paths",
             "sends the path through another image point, each pixel in turn",
             "moves the image point a little",
             "tilts a ray that makes a caustic",
-            "moves the image point of a caustic that is seen in mirrors or glass");
+            "moves the image point of a caustic that is seen in mirrors or glass",
+            "moves a vertex and finds the mirrored or refracted way from it that leads to where the old one did");
 
     /** The parameters from which the settings are made. */
     static final List<Parameter> PARAMETERS = parameters();
@@ -60,7 +66,7 @@ public record MetropolisSettings(
             all.add(Parameter.real(
                     STRATEGIES.get(i),
                     LABELS.get(i),
-                    1,
+                    WEIGHTS.get(i),
                     0,
                     1e6,
                     "Mutation strategy that " + DOCS.get(i)

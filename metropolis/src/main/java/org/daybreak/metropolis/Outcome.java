@@ -6,6 +6,8 @@ public enum Outcome {
     PROPOSED,
     /** A ray left the scene, or met nothing where the path needs a vertex. */
     MISSED,
+    /** A walk along a chain of delta lobes did not arrive where the path needs it, or does not lead back. */
+    UNREACHABLE,
     /** Something stands between two vertices. */
     OCCLUDED,
     /** A vertex came to lie on a material that scatters in another way than the move needs. */

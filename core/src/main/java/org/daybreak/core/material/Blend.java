@@ -40,6 +40,11 @@ public final class Blend implements Bsdf {
     }
 
     @Override
+    public boolean tiltsNormal() {
+        return first.tiltsNormal() || second.tiltsNormal();
+    }
+
+    @Override
     public boolean connectable() {
         return first.connectable() || second.connectable();
     }

@@ -144,6 +144,14 @@ public interface Bsdf {
     }
 
     /**
+     * True if scattering follows another normal than that of the shading frame anywhere, as with normal and bump maps: the
+     * derivative of the normal is then not that of the surface.
+     */
+    default boolean tiltsNormal() {
+        return false;
+    }
+
+    /**
      * True if {@link #sample} reads its number {@code w}. Callers may save themselves a random number otherwise.
      */
     default boolean choosesLobe() {

@@ -34,6 +34,11 @@ public final class Mask implements Bsdf {
     }
 
     @Override
+    public boolean tiltsNormal() {
+        return nested.tiltsNormal();
+    }
+
+    @Override
     public boolean connectable() {
         return nested.connectable();
     }

@@ -51,6 +51,11 @@ abstract class PerturbedBsdf implements Bsdf {
     }
 
     @Override
+    public final boolean tiltsNormal() {
+        return true;
+    }
+
+    @Override
     public final boolean choosesLobe() {
         return nested.choosesLobe();
     }

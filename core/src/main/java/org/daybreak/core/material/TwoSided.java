@@ -50,6 +50,11 @@ public final class TwoSided implements Bsdf {
     }
 
     @Override
+    public boolean tiltsNormal() {
+        return front.tiltsNormal() || back.tiltsNormal();
+    }
+
+    @Override
     public boolean connectable() {
         return front.connectable() || back.connectable();
     }

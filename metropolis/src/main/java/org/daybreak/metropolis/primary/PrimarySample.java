@@ -8,8 +8,7 @@ import org.daybreak.metropolis.StateWriter;
 
 /**
  * The numbers of a state, as a sampler: a point of the infinite-dimensional unit cube of which only the coordinates are known that
- * have been read (Kelemen et al. 2002, §4). A proposal changes all of them; {@link #accept} makes it the state, {@link #reject} drops
- * it.
+ * have been read (Kelemen et al. 2002). A proposal changes all of them; {@link #accept} makes it the state.
  *
  * <p>A coordinate is changed when it is read. Then it first catches up with the accepted small steps that it has missed, which
  * becomes part of the state whether or not the proposal in hand is accepted; so the state goes the very way that it would go if
@@ -237,14 +236,14 @@ final class PrimarySample extends Sampler {
         }
 
         private int slot(int coordinate) {
-            return coordinate * FIBONACCI >>> Integer.numberOfLeadingZeros(table.length - 1);
+            return (coordinate * FIBONACCI) >>> Integer.numberOfLeadingZeros(table.length - 1);
         }
 
         private void enter(int at) {
             int mask = table.length - 1;
             int slot = slot(dimensions[at]);
             while (table[slot] > 0) {
-                slot = slot + 1 & mask;
+                slot = (slot + 1) & mask;
             }
             table[slot] = at + 1;
         }

@@ -57,7 +57,7 @@ public final class BidirectionalMutationStrat extends MutationStrategy {
 
     /** Relative probability of deleting what is between two vertices; not normalised. */
     private double deletion(LightPath x, int kept, int end) {
-        return lengthSum(x, kept, end) > 0 ? table(deleted, end - kept - 1) : 0;
+        return shortest(x.length, kept, end) <= longest(x.length, kept, end) ? table(deleted, end - kept - 1) : 0;
     }
 
     private double deletionSum(LightPath x) {
@@ -144,30 +144,35 @@ public final class BidirectionalMutationStrat extends MutationStrategy {
 
     // How long the new piece is
 
-    /** Relative probability of a new piece with a number of edges; 0 if the limits or the lack of ways to build it forbid it. */
-    private double length(int vertices, int kept, int end, int edges) {
-        int newVertices = vertices - (end - kept - 1) + edges - 1;
+    /** Smallest number of edges of a new piece in a path of so many vertices. */
+    private int shortest(int vertices, int kept, int end) {
+        int edges = end - kept;
         // Of a piece that reaches the light one vertex is sampled at least, in both directions: a point on a light does
         // not scatter.
-        if (kept < 0 && (end == 0 || edges < 2)) {
-            return 0;
-        }
-        if (newVertices < 2 || newVertices - 1 < limits.shortest() || newVertices > limits.maxVertices()) {
-            return 0;
+        if (kept < 0 && end == 0) {
+            return Integer.MAX_VALUE;
         }
         boolean lens = end == vertices;
-        return ways(kept, lens, edges, newVertices) > 0 ? table(added, Math.abs(edges - (end - kept))) : 0;
+        int least = Math.max(kept < 0 || lens ? 2 : 1, edges - LARGEST_CHANGE);
+        if (kept < 0 && lens) {
+            least = Math.max(3, least);
+        }
+        // An emitter that is seen directly is not joined to the lens, but met: by a piece that reaches the light.
+        int leastVertices = Math.max(kept < 0 ? 2 : 3, limits.shortest() + 1);
+        return Math.max(least, leastVertices - (vertices - edges));
+    }
+
+    /** Largest number of edges of a new piece in a path of so many vertices. */
+    private int longest(int vertices, int kept, int end) {
+        int edges = end - kept;
+        return (int) Math.min(edges + LARGEST_CHANGE, limits.maxVertices() - (vertices - edges));
     }
 
     private double lengthSum(LightPath x, int kept, int end) {
-        return lengthSum(x.length, kept, end);
-    }
-
-    private double lengthSum(int vertices, int kept, int end) {
-        int edges = end - kept;
         double sum = 0;
-        for (int a = Math.max(1, edges - LARGEST_CHANGE); a <= edges + LARGEST_CHANGE; a++) {
-            sum += length(vertices, kept, end, a);
+        int last = longest(x.length, kept, end);
+        for (int a = shortest(x.length, kept, end); a <= last; a++) {
+            sum += table(added, Math.abs(a - (end - kept)));
         }
         return sum;
     }
@@ -175,15 +180,11 @@ public final class BidirectionalMutationStrat extends MutationStrategy {
     private int chooseLength(LightPath x, Move move, RandomStream random) {
         int edges = move.oldEnd - move.kept;
         double left = random.nextDouble() * lengthSum(x, move.kept, move.oldEnd);
-        int last = edges;
-        for (int a = Math.max(1, edges - LARGEST_CHANGE); a <= edges + LARGEST_CHANGE; a++) {
-            double p = length(x.length, move.kept, move.oldEnd, a);
-            if (p > 0) {
-                last = a;
-                left -= p;
-                if (left < 0) {
-                    return a;
-                }
+        int last = longest(x.length, move.kept, move.oldEnd);
+        for (int a = shortest(x.length, move.kept, move.oldEnd); a < last; a++) {
+            left -= table(added, Math.abs(a - edges));
+            if (left < 0) {
+                return a;
             }
         }
         return last;
@@ -200,11 +201,6 @@ public final class BidirectionalMutationStrat extends MutationStrategy {
         // The lens, if it is not kept, is one of the new vertices.
         int most = lens ? edges - 2 : edges - 1;
         return kept == 0 ? Math.min(0, most) : most;
-    }
-
-    /** Number of ways to build a piece. */
-    private static int ways(int kept, boolean lens, int edges, int newVertices) {
-        return Math.max(0, mostFromLight(kept, lens, edges, newVertices) + 1);
     }
 
     /**
@@ -231,10 +227,12 @@ public final class BidirectionalMutationStrat extends MutationStrategy {
     public double transition(LightPath from, LightPath to, Move move, PathBuilder builder) {
         int edges = move.newEnd - move.kept;
         boolean lens = move.oldEnd == from.length;
-        double byLength = length(from.length, move.kept, move.oldEnd, edges) / lengthSum(from, move.kept, move.oldEnd);
-        if (byLength == 0) {
+        int least = shortest(from.length, move.kept, move.oldEnd);
+        if (edges < least || edges > longest(from.length, move.kept, move.oldEnd)) {
             return 0;
         }
+        int change = Math.abs(edges - (move.oldEnd - move.kept));
+        double byLength = table(added, change) / lengthSum(from, move.kept, move.oldEnd);
         int most = mostFromLight(move.kept, lens, edges, to.length);
         double sum = 0;
         for (int l = 0; l <= most; l++) {

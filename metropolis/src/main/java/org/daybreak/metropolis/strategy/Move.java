@@ -14,6 +14,9 @@ public final class Move {
     /** The same vertex in the path that is proposed. */
     int newEnd;
 
+    /** Of strategies that can change the same vertices from either side: true if they began on the side of the lens. */
+    boolean towardsLight;
+
     /** Creates a move. */
     public Move() {}
 

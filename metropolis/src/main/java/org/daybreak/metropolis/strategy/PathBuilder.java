@@ -62,6 +62,7 @@ public final class PathBuilder {
     private final SurfacePoint veil = new SurfacePoint();
 
     private final Frame frame = new Frame();
+    private final ChainPieces chains;
     private final LightPath scratchPath = new LightPath();
 
     /** Why the last operation has failed. */
@@ -80,6 +81,7 @@ public final class PathBuilder {
         this.scene = scene;
         this.camera = camera;
         caster = new RayCaster(scene);
+        chains = new ChainPieces(caster);
         selection = scene.lightSelection();
         guide = new EmissionGuide(scene);
         lights = new LightDensities(scene, guide, false);
@@ -106,6 +108,11 @@ public final class PathBuilder {
     /** Room for a frame. */
     Frame frame() {
         return frame;
+    }
+
+    /** Chains of delta lobes between two vertices. */
+    ChainPieces chains() {
+        return chains;
     }
 
     /** Number of rays of a kind traced so far. */
