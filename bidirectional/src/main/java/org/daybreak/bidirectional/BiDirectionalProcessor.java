@@ -27,8 +27,8 @@ import org.jspecify.annotations.Nullable;
  * vertex of one to each of the other, and adds up Σ w_{s,t} α_s^L c_{s,t} α_t^E (thesis eq. 4.1–4.5).
  *
  * <p>Techniques: s = 0, the eye subpath meets a light; s = 1, a point on a light is sampled for the eye vertex; t = 1, the light
- * vertex is joined to the lens, see {@link CausticMap}; others join y_{s−1} and z_{t−1}. Occlusion is tested last, for contributions
- * that are not zero.
+ * vertex is joined to the lens, see {@link CausticMap}; t = 0, the light subpath hits the lens; others join y_{s−1} and
+ * z_{t−1}. Occlusion is tested last, for contributions that are not zero.
  */
 final class BiDirectionalProcessor implements RayProcessor {
     private final Scene scene;
@@ -52,6 +52,7 @@ final class BiDirectionalProcessor implements RayProcessor {
     private final Spectrum value = new Spectrum();
     private final Spectrum lightValue = new Spectrum();
     private final LineTracer.Emission emission = this::addMet;
+    private final LineTracer.LensHits lensHit;
     private final Spectrum radiance = new Spectrum();
     private double sampleX;
     private double sampleY;
@@ -76,19 +77,29 @@ final class BiDirectionalProcessor implements RayProcessor {
         allLights = settings.allLights();
         EmissionGuide guide = new EmissionGuide(scene);
         lights = new LightDensities(scene, guide, allLights);
-        limits = settings.limits(camera.isParallel());
+        limits = settings.limits(camera);
         maxVertices = settings.maxVertices();
         splitting = settings.eyeBranches();
         double exponent = settings.heuristicExponent();
+        LensConnection lens = new LensConnection(camera, caster);
         lines = new LineTracer(
-                camera, caster, guide, lights, exponent, limits.lens(), settings.rouletteFrom(), splitting);
+                camera, caster, guide, lights, exponent, limits, lens.lens(), settings.rouletteFrom(), splitting);
         complement = new ComplementTracer(scene, lights, limits, exponent, splitting);
         roulette = new ConnectionRoulette(settings.roulette() == BidirectionalSettings.Roulette.EFFICIENCY);
-        LensConnection lens = new LensConnection(camera, caster);
         contribution = new Contribution(light, eye, lightSample, lens.lens(), complement);
         this.listener = listener;
         causticMap = new CausticMap(
-                scene, camera, lens, complement, roulette, lights, contribution, listener, limits.emitterAtLens());
+                scene,
+                camera,
+                lens,
+                complement,
+                roulette,
+                lights,
+                contribution,
+                listener,
+                maxVertices,
+                limits.emitterAtLens());
+        lensHit = causticMap::addHit;
         lensArea = camera.hasLensArea();
     }
 
@@ -151,12 +162,12 @@ final class BiDirectionalProcessor implements RayProcessor {
         if (limits.maxLightVertices() < 1) {
             return;
         }
-        lines.traceLight(index, chosen, subpath, limits.maxLightVertices(), sampler, light);
+        lines.traceLight(index, chosen, subpath, limits.maxLightVertices(), sampler, light, lensHit);
         if (listener != null) {
             listener.traced(light, index);
         }
         if (limits.lens()) {
-            causticMap.add(light, index, subpath, maxVertices, sampler);
+            causticMap.add(light, index, subpath, sampler);
         }
         addVertices(1, index, sampler);
         if (eye.length() > 0 && eye.splits) {

@@ -1,6 +1,7 @@
 package org.daybreak.bidirectional;
 
 import java.util.List;
+import org.daybreak.core.camera.Camera;
 import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterException;
 import org.daybreak.core.render.ParameterValues;
@@ -17,6 +18,7 @@ import org.daybreak.core.render.ParameterValues;
  * @param splitting number of ways in which an eye subpath goes on from the first surface that scatters diffusely
  * @param allLights whether each sample has a light subpath and a light sample for every light, or for one that is chosen
  * @param causticMap whether light subpaths are joined to the lens
+ * @param lensHits whether light subpaths count that hit a lens with an area
  */
 public record BidirectionalSettings(
         int maxEyeDepth,
@@ -27,7 +29,8 @@ public record BidirectionalSettings(
         int rrDepth,
         int splitting,
         boolean allLights,
-        boolean causticMap) {
+        boolean causticMap,
+        boolean lensHits) {
     /** Where Russian roulette is played. */
     public enum Roulette {
         /** Nowhere: the limits of depth end paths. */
@@ -99,7 +102,14 @@ public record BidirectionalSettings(
                     "Caustic map",
                     true,
                     "Whether light paths are joined to the lens, which finds caustics and what else light paths bring"
-                            + " there. Without, light that no other way finds is missing."));
+                            + " there. Without, light that no other way finds is missing."),
+            Parameter.flag(
+                    "lensHits",
+                    "Light paths that hit the lens",
+                    false,
+                    "Whether light paths count that hit a lens with an area by themselves: more help where a wide lens sees"
+                            + " caustics in mirrors or glass. Finds, besides, what no other way does: point lights, as the"
+                            + " discs that a lens makes of them, and their caustics in mirrors and glass."));
 
     private static Parameter depth(String name, String label, String doc) {
         return Parameter.integer(name, label, -1, -1, Integer.MAX_VALUE, doc);
@@ -145,7 +155,8 @@ public record BidirectionalSettings(
                 values.integer("rrDepth"),
                 values.integer("splitting"),
                 values.choice("lightsPerPath").equals("all"),
-                values.flag("causticMap"));
+                values.flag("causticMap"),
+                values.flag("lensHits"));
     }
 
     /** The same settings without the roulette for occlusion tests. */
@@ -159,7 +170,8 @@ public record BidirectionalSettings(
                 rrDepth,
                 splitting,
                 allLights,
-                causticMap);
+                causticMap,
+                lensHits);
     }
 
     /** In how many ways an eye subpath goes on from the first vertex that can be connected. */
@@ -172,25 +184,33 @@ public record BidirectionalSettings(
         return roulette == Roulette.NONE ? Integer.MAX_VALUE : rrDepth;
     }
 
+    /** What can be sampled with a camera. */
+    TechniqueLimits limits(Camera camera) {
+        return limits(camera.isParallel(), camera.hasLensArea());
+    }
+
     /**
      * What can be sampled.
      *
      * @param parallelFilm whether the camera sees along a single direction
+     * @param lensArea whether rays can hit the lens
      */
-    TechniqueLimits limits(boolean parallelFilm) {
+    TechniqueLimits limits(boolean parallelFilm, boolean lensArea) {
+        boolean hits = lensHits && lensArea;
         int eye = limit(maxEyeDepth);
         int light = limit(maxLightDepth);
         if (maxDepth >= 0) {
             eye = (int) Math.min(eye, maxDepth + 1L);
-            light = Math.min(light, maxDepth);
+            light = (int) Math.min(light, hits ? maxDepth + 1L : maxDepth);
         }
-        return new TechniqueLimits(eye, light, causticMap, parallelFilm);
+        return new TechniqueLimits(eye, light, causticMap, parallelFilm, hits);
     }
 
     /** Whether light paths bring something to the lens. */
     boolean splats() {
-        TechniqueLimits limits = limits(false);
-        return limits.lens() && (limits.maxLightVertices() > 1 || limits.emitterAtLens());
+        TechniqueLimits limits = limits(false, true);
+        boolean longer = limits.maxLightVertices() > 1;
+        return (longer && (limits.lens() || limits.lensHits())) || limits.emitterAtLens();
     }
 
     /** Largest number of vertices of a full path. */

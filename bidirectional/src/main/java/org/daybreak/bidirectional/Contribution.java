@@ -8,8 +8,8 @@ import org.daybreak.core.light.LightSample;
  * subpaths it is made of. Owned by one worker; valid during the call.
  *
  * <p>The light's vertices are {@link #light}[0…s−1] for s ≥ 2 and for t = 1, the point of {@link #lightSample} for s = 1, t ≥ 2,
- * and the last one of {@link #eye} for s = 0. The lens is {@link #eye}[0] for t ≥ 2 and the point of {@link #lens} for t = 1; with
- * s = t = 1 and a light at infinity {@link #lens} has the direction, too.
+ * and the last one of {@link #eye} for s = 0. The lens is {@link #eye}[0] for t ≥ 2 and the point of {@link #lens} for t ≤ 1; for t = 0 it
+ * takes the place of y_{s−1}. With s = t = 1 and a light at infinity {@link #lens} has the direction, too.
  */
 final class Contribution {
     /** Told of contributions, for debug views and tests. */
@@ -53,7 +53,7 @@ final class Contribution {
 
     /**
      * f/p, visibility and Russian roulette included, without the weight. Summed over a pixel it gives the pixel's radiance as this
-     * technique finds it, divided by the number of samples: of the pixel for t ≥ 2, of the whole image for t = 1.
+     * technique finds it, divided by the number of samples: of the pixel for t ≥ 2, of the whole image for t ≤ 1.
      */
     double r;
 

@@ -42,7 +42,7 @@ final class SampleTrace implements Contribution.Listener {
 
     private SampleTrace(Scene scene, Camera camera, BidirectionalSettings settings) {
         this.scene = scene;
-        limits = settings.limits(camera.isParallel());
+        limits = settings.limits(camera);
         maxVertices = settings.maxVertices();
         allLights = settings.allLights();
     }
@@ -136,7 +136,7 @@ final class SampleTrace implements Contribution.Listener {
 
     @Override
     public void found(Contribution c) {
-        add(c, c.t == 1 ? Outcome.SPLATTED : Outcome.ADDED);
+        add(c, c.t <= 1 ? Outcome.SPLATTED : Outcome.ADDED);
     }
 
     @Override
@@ -146,7 +146,7 @@ final class SampleTrace implements Contribution.Listener {
 
     private void add(Contribution c, Outcome outcome) {
         // An eye subpath meets lights while it is traced, and is joined afterwards.
-        int eyePath = c.t == 1 ? -1 : c.s == 0 ? eyePaths.size() : eyePaths.size() - 1;
+        int eyePath = c.t <= 1 ? -1 : c.s == 0 ? eyePaths.size() : eyePaths.size() - 1;
         found.add(new SampleRecord.Contribution(
                 c.s,
                 c.t,
@@ -166,7 +166,10 @@ final class SampleTrace implements Contribution.Listener {
             lightVertices = Math.max(lightVertices, path.connectable.size());
         }
         List<SampleRecord.Contribution> all = new ArrayList<>();
-        for (int s = 0; s <= lightVertices; s++) {
+        for (int s = 0; s <= lightVertices + 1; s++) {
+            if (s > 1 && limits.lensHits()) {
+                addAll(s, 0, -1, all);
+            }
             if (s > 0) {
                 addAll(s, 1, -1, all);
             }
@@ -193,7 +196,8 @@ final class SampleTrace implements Contribution.Listener {
             return;
         }
         for (LightPath path : lightPaths) {
-            if (s <= Math.max(1, path.connectable.size()) && !addFound(s, t, eyePath, path, all)) {
+            int longest = Math.max(1, path.connectable.size()) + (t == 0 ? 1 : 0);
+            if (s <= longest && !addFound(s, t, eyePath, path, all)) {
                 all.add(nothing(s, t, eyePath, path));
             }
         }
@@ -230,6 +234,7 @@ final class SampleTrace implements Contribution.Listener {
         }
         boolean eyeDelta = s > 0 && t > 1 && !eyePaths.get(eyePath).connectable.get(t - 1);
         boolean lightDelta = path != null
+                && t > 0
                 && (s > 1
                         ? !path.connectable.get(s - 1)
                         : t == 1 && scene.light(path.light).isDelta());
