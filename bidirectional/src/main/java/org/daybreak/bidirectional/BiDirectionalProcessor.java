@@ -70,6 +70,21 @@ final class BiDirectionalProcessor implements RayProcessor {
             boolean features,
             BidirectionalSettings settings,
             Contribution.@Nullable Listener listener) {
+        this(scene, camera, features, settings, listener, settings.connectionRoulette());
+    }
+
+    /**
+     * Creates a processor with a given roulette for occlusion tests, in place of the one that the settings want.
+     *
+     * @param listener told of all contributions; null if nobody listens
+     */
+    BiDirectionalProcessor(
+            Scene scene,
+            Camera camera,
+            boolean features,
+            BidirectionalSettings settings,
+            Contribution.@Nullable Listener listener,
+            ConnectionRoulette roulette) {
         this.scene = scene;
         this.features = features;
         caster = new RayCaster(scene);
@@ -85,7 +100,7 @@ final class BiDirectionalProcessor implements RayProcessor {
         lines = new LineTracer(
                 camera, caster, guide, lights, exponent, limits, lens.lens(), settings.rouletteFrom(), splitting);
         complement = new ComplementTracer(scene, lights, limits, exponent, splitting);
-        roulette = new ConnectionRoulette(settings.roulette() == BidirectionalSettings.Roulette.EFFICIENCY);
+        this.roulette = roulette;
         contribution = new Contribution(light, eye, lightSample, lens.lens(), complement);
         this.listener = listener;
         causticMap = new CausticMap(
@@ -273,7 +288,7 @@ final class BiDirectionalProcessor implements RayProcessor {
             return;
         }
         double weight = complement.lightSample(eye, f + 1, index, lightSample, chosen, density);
-        double factor = survive(f, 1 / chosen, weight);
+        double factor = survive(1, f, index, 1 / chosen, weight);
         if (factor == 0) {
             return;
         }
@@ -332,7 +347,7 @@ final class BiDirectionalProcessor implements RayProcessor {
                 value.b * lightValue.b * light.throughputB[e]);
         double weight =
                 complement.connection(light, e + 1, eye, f + 1, dx, dy, dz, squared, densityFromLight, densityFromEye);
-        double factor = survive(f, 1 / squared, weight);
+        double factor = survive(e + 1, f, light.light[0], 1 / squared, weight);
         if (factor != 0) {
             join(e + 1, f, light.light[0], factor, caster.transmittance(y, z), weight);
         }
@@ -345,7 +360,7 @@ final class BiDirectionalProcessor implements RayProcessor {
      * @param weight of the contribution
      * @return the factor, divided by the probability of survival; 0 if there is nothing to test for occlusion
      */
-    private double survive(int f, double factor, double weight) {
+    private double survive(int s, int f, int lightIndex, double factor, double weight) {
         double weighted = factor * weight;
         if (weighted == 0) {
             return listener == null ? 0 : factor;
@@ -353,7 +368,12 @@ final class BiDirectionalProcessor implements RayProcessor {
         double luminance = weighted
                 * Spectrum.luminance(
                         value.r * eye.throughputR[f], value.g * eye.throughputG[f], value.b * eye.throughputB[f]);
-        return factor * roulette.survive(luminance);
+        double survived = roulette.survive(luminance);
+        if (survived == 0 && listener != null) {
+            describe(s, f, lightIndex, factor, weight);
+            listener.leftOut(contribution);
+        }
+        return factor * survived;
     }
 
     /** Adds the value in hand times the throughput of eye vertex f, a factor and the weight of technique (s, f + 1). */

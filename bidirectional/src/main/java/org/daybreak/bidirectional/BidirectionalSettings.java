@@ -159,19 +159,9 @@ public record BidirectionalSettings(
                 values.flag("lensHits"));
     }
 
-    /** The same settings without the roulette for occlusion tests. */
-    BidirectionalSettings withoutConnectionRoulette() {
-        return new BidirectionalSettings(
-                maxEyeDepth,
-                maxLightDepth,
-                maxDepth,
-                heuristicExponent,
-                roulette == Roulette.NONE ? Roulette.NONE : Roulette.THROUGHPUT,
-                rrDepth,
-                splitting,
-                allLights,
-                causticMap,
-                lensHits);
+    /** A roulette for occlusion tests as the settings want it. */
+    ConnectionRoulette connectionRoulette() {
+        return new ConnectionRoulette(roulette == Roulette.EFFICIENCY);
     }
 
     /** In how many ways an eye subpath goes on from the first vertex that can be connected. */

@@ -149,6 +149,9 @@ final class CausticMap {
         }
         double factor = weighted == 0 ? 1 : roulette.survive(weighted);
         if (factor == 0) {
+            if (listener != null) {
+                listener.leftOut(describe(s, 1, index, weight, r * value.r, g * value.g, b * value.b));
+            }
             return;
         }
         double visible = lens.transmittance(y);

@@ -21,6 +21,9 @@ final class Contribution {
         /** Something would have been added, with the value that it has here, if no surface were in the way. */
         default void occluded(Contribution contribution) {}
 
+        /** Something with this value would have been tested for occlusion if the roulette had not left it out. */
+        default void leftOut(Contribution contribution) {}
+
         /**
          * A subpath has been traced and will be joined. Of an eye subpath that splits, first the part that all branches share, then
          * each branch after it.

@@ -14,14 +14,15 @@ import org.daybreak.core.render.SampleRequest;
 import org.daybreak.core.sampling.Sampler;
 import org.daybreak.core.scene.RayKind;
 import org.daybreak.core.scene.Scene;
+import org.daybreak.tracing.EarlierSamples;
 import org.daybreak.tracing.PixelSampling;
 import org.daybreak.tracing.RaySample;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Computes one sample as a render does and records its subpaths and what became of each technique (s, t). The roulette for tests of
- * occlusion depends on the samples before: here it leaves nothing out, so that contributions are those before their division
- * by the probability of survival.
+ * occlusion learns from the samples before in the tile, so these are computed first, unless their numbers depend on the
+ * whole image: then it leaves nothing out, and contributions are those before their division by the probability of survival.
  */
 final class SampleTrace implements Contribution.Listener {
     private final Scene scene;
@@ -50,16 +51,25 @@ final class SampleTrace implements Contribution.Listener {
     /** Computes a sample. */
     static SampleRecord of(Scene scene, Camera camera, BidirectionalSettings settings, SampleRequest request) {
         boolean efficiency = settings.roulette() == BidirectionalSettings.Roulette.EFFICIENCY;
+        boolean known = request.antialiasing().allocation().isEmpty();
         SampleTrace trace = new SampleTrace(scene, camera, settings);
-        BiDirectionalProcessor processor = new BiDirectionalProcessor(
-                scene, camera, false, efficiency ? settings.withoutConnectionRoulette() : settings, trace);
+        ConnectionRoulette roulette = known ? settings.connectionRoulette() : new ConnectionRoulette(false);
+        if (efficiency && known) {
+            // Without a listener, as in the render: it has rays traced for contributions without weight.
+            EarlierSamples.trace(request, new BiDirectionalProcessor(scene, camera, false, settings, null, roulette));
+        }
+        BiDirectionalProcessor processor = new BiDirectionalProcessor(scene, camera, false, settings, trace, roulette);
         PixelSampling position = PixelSampling.of(request);
         RaySample sample = new RaySample();
-        processor.beginUnit();
         Sampler sampler = position.start(request);
         boolean finite = processor.trace(position.filmX, position.filmY, sampler, sample, new SplatBuffer());
         List<String> notes = new ArrayList<>();
-        if (efficiency) {
+        if (efficiency && known) {
+            notes.add(
+                    "the roulette that leaves out occlusion tests is that of a render of the whole image which its number"
+                            + " of samples ends: a crop, or a limit of time, has another; survivors are divided by their"
+                            + " probability");
+        } else if (efficiency) {
             notes.add(
                     "the roulette that leaves out occlusion tests depends on the samples before and is off here: in the"
                             + " render, small contributions may be missing, or divided by their probability of survival");
@@ -142,6 +152,11 @@ final class SampleTrace implements Contribution.Listener {
     @Override
     public void occluded(Contribution c) {
         add(c, Outcome.OCCLUDED);
+    }
+
+    @Override
+    public void leftOut(Contribution c) {
+        add(c, Outcome.ROULETTE);
     }
 
     private void add(Contribution c, Outcome outcome) {
