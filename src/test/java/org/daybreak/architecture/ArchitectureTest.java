@@ -47,9 +47,10 @@ class ArchitectureTest {
             "antialiasing", Set.of("core"),
             "tracing", Set.of("core", "antialiasing"),
             "bidirectional", Set.of("core", "tracing"),
+            "metropolis", Set.of("core", "antialiasing", "tracing", "bidirectional"),
             "scenes", Set.of("core"),
-            "cli", Set.of("exr", "core", "accel", "antialiasing", "tracing", "bidirectional", "scenes"),
-            "benchmarks", Set.of("exr", "core", "accel", "antialiasing", "tracing", "bidirectional", "scenes", "cli"));
+            "cli", Set.of("exr", "core", "accel", "antialiasing", "tracing", "bidirectional", "metropolis", "scenes"),
+            "benchmarks", Set.of("exr", "core", "accel", "antialiasing", "tracing", "bidirectional", "metropolis", "scenes", "cli"));
 
     /** The programs: they may print, exit and use any library. All other top-level packages are library code. */
     private static final Set<String> PROGRAMS = Set.of("cli", "benchmarks");

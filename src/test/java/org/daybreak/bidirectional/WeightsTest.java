@@ -148,7 +148,8 @@ class WeightsTest {
                     splitting,
                     allLights,
                     causticMap,
-                    hits);
+                    hits,
+                    1);
         }
 
         void run() {

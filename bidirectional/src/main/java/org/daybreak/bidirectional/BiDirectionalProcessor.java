@@ -30,7 +30,7 @@ import org.jspecify.annotations.Nullable;
  * vertex is joined to the lens, see {@link CausticMap}; t = 0, the light subpath hits the lens; others join y_{s−1} and
  * z_{t−1}. Occlusion is tested last, for contributions that are not zero.
  */
-final class BiDirectionalProcessor implements RayProcessor {
+public final class BiDirectionalProcessor implements RayProcessor {
     private final Scene scene;
     private final RayCaster caster;
     private final LightSelection selection;
@@ -40,6 +40,7 @@ final class BiDirectionalProcessor implements RayProcessor {
     private final CausticMap causticMap;
     private final ConnectionRoulette roulette;
     private final TechniqueLimits limits;
+    private final long minVertices;
     private final long maxVertices;
     private final boolean allLights;
     private final int splitting;
@@ -53,9 +54,15 @@ final class BiDirectionalProcessor implements RayProcessor {
     private final Spectrum lightValue = new Spectrum();
     private final LineTracer.Emission emission = this::addMet;
     private final LineTracer.LensHits lensHit;
+    private final LineTracer.Emission emissionAtEnd = this::addMetAtEnd;
     private final Spectrum radiance = new Spectrum();
     private double sampleX;
     private double sampleY;
+    private double lensU;
+    private double lensV;
+    /** Number of vertices of the eye subpath if it is that of technique s = 0 alone. */
+    private int end;
+
     private final Contribution contribution;
     private final Contribution.@Nullable Listener listener;
 
@@ -64,13 +71,28 @@ final class BiDirectionalProcessor implements RayProcessor {
      *
      * @param listener told of all contributions; null if nobody listens
      */
-    BiDirectionalProcessor(
+    public BiDirectionalProcessor(
             Scene scene,
             Camera camera,
             boolean features,
             BidirectionalSettings settings,
             Contribution.@Nullable Listener listener) {
-        this(scene, camera, features, settings, listener, settings.connectionRoulette());
+        this(scene, camera, features, settings, settings.rouletteFrom(), listener);
+    }
+
+    /**
+     * Creates a processor with a Russian roulette of its own.
+     *
+     * @param rouletteFrom number of edges from which on Russian roulette may end subpaths
+     */
+    BiDirectionalProcessor(
+            Scene scene,
+            Camera camera,
+            boolean features,
+            BidirectionalSettings settings,
+            int rouletteFrom,
+            Contribution.@Nullable Listener listener) {
+        this(scene, camera, features, settings, rouletteFrom, listener, settings.connectionRoulette());
     }
 
     /**
@@ -85,6 +107,17 @@ final class BiDirectionalProcessor implements RayProcessor {
             BidirectionalSettings settings,
             Contribution.@Nullable Listener listener,
             ConnectionRoulette roulette) {
+        this(scene, camera, features, settings, settings.rouletteFrom(), listener, roulette);
+    }
+
+    private BiDirectionalProcessor(
+            Scene scene,
+            Camera camera,
+            boolean features,
+            BidirectionalSettings settings,
+            int rouletteFrom,
+            Contribution.@Nullable Listener listener,
+            ConnectionRoulette roulette) {
         this.scene = scene;
         this.features = features;
         caster = new RayCaster(scene);
@@ -93,12 +126,12 @@ final class BiDirectionalProcessor implements RayProcessor {
         EmissionGuide guide = new EmissionGuide(scene);
         lights = new LightDensities(scene, guide, allLights);
         limits = settings.limits(camera);
+        minVertices = settings.minDepth() + 1L;
         maxVertices = settings.maxVertices();
         splitting = settings.eyeBranches();
         double exponent = settings.heuristicExponent();
         LensConnection lens = new LensConnection(camera, caster);
-        lines = new LineTracer(
-                camera, caster, guide, lights, exponent, limits, lens.lens(), settings.rouletteFrom(), splitting);
+        lines = new LineTracer(camera, caster, guide, lights, exponent, limits, lens.lens(), rouletteFrom, splitting);
         complement = new ComplementTracer(scene, lights, limits, exponent, splitting);
         this.roulette = roulette;
         contribution = new Contribution(light, eye, lightSample, lens.lens(), complement);
@@ -112,6 +145,7 @@ final class BiDirectionalProcessor implements RayProcessor {
                 lights,
                 contribution,
                 listener,
+                minVertices,
                 maxVertices,
                 limits.emitterAtLens());
         lensHit = causticMap::addHit;
@@ -130,23 +164,11 @@ final class BiDirectionalProcessor implements RayProcessor {
 
     @Override
     public boolean trace(double filmX, double filmY, Sampler sampler, RaySample out, SplatBuffer splats) {
-        out.radiance.setZero();
-        out.features.hit = false;
-        radiance.setZero();
-        sampleX = filmX;
-        sampleY = filmY;
-        double lensU = 0.5;
-        double lensV = 0.5;
-        if (lensArea) {
-            sampler.setDimension(Dimensions.choices(0));
-            lensU = sampler.next();
-            lensV = sampler.next();
-        }
+        begin(filmX, filmY, sampler, out, splats);
         sampler.setDimension(Dimensions.lightPathChoices(0, 0));
         double lightChoice = sampler.next();
         roulette.beginSample(sampler.next());
         long before = caster.total();
-        causticMap.beginSample(splats);
         boolean sees = limits.maxEyeVertices() > 1
                 && lines.traceEye(filmX, filmY, lensU, lensV, limits.maxEyeVertices(), sampler, eye, emission);
         if (!sees) {
@@ -170,6 +192,72 @@ final class BiDirectionalProcessor implements RayProcessor {
         out.radiance.set(radiance);
         roulette.endSample(radiance.luminance() + causticMap.luminance(), caster.total() - before);
         return causticMap.finite();
+    }
+
+    private void begin(double filmX, double filmY, Sampler sampler, RaySample out, SplatBuffer splats) {
+        out.radiance.setZero();
+        out.features.hit = false;
+        radiance.setZero();
+        causticMap.beginSample(splats);
+        sampleX = filmX;
+        sampleY = filmY;
+        lensU = 0.5;
+        lensV = 0.5;
+        if (lensArea) {
+            sampler.setDimension(Dimensions.choices(0));
+            lensU = sampler.next();
+            lensV = sampler.next();
+        }
+    }
+
+    /**
+     * Computes what technique (s, t) alone brings, with its weight, from the numbers that {@link #trace} would use for it, and
+     * traces no more than it needs. The technique must be within the limits of depth.
+     *
+     * @return false if a splat was not finite and has been left out
+     */
+    boolean traceTechnique(
+            int s, int t, double filmX, double filmY, Sampler sampler, RaySample out, SplatBuffer splats) {
+        begin(filmX, filmY, sampler, out, splats);
+        eye.setLength(0);
+        if (s >= 2 || t == 1) {
+            sampler.setDimension(Dimensions.lightPathChoices(0, 0));
+            int index = selection.chooseForEmission(sampler.next());
+            if (index < 0) {
+                return true;
+            }
+            lines.traceLight(index, selection.emissionProbability(index), 0, s, sampler, light, LineTracer.NO_HITS);
+            if (s == 1) {
+                causticMap.addEmitter(light, index, 0, sampler);
+                return causticMap.finite();
+            }
+            if (light.length() < s || !light.connectable[s - 1]) {
+                return true;
+            }
+            if (t == 1) {
+                causticMap.addVertex(light, s - 1, index, 0, sampler);
+                return causticMap.finite();
+            }
+        }
+        end = t;
+        LineTracer.Emission met = s == 0 ? emissionAtEnd : LineTracer.NO_EMISSION;
+        boolean sees = lines.traceEye(filmX, filmY, lensU, lensV, t, sampler, eye, met);
+        int f = t - 1;
+        if (s > 0 && sees && eye.length() == t && eye.connectable[f]) {
+            if (s == 1) {
+                addSampledLight(f, sampler);
+            } else {
+                connect(s - 1, f);
+            }
+        }
+        out.radiance.set(radiance);
+        return true;
+    }
+
+    private void addMetAtEnd(PathValues path) {
+        if (path.length() == end) {
+            addMet(path);
+        }
     }
 
     /** Adds what a light subpath contributes, in all ways with s ≥ 1. */
@@ -203,12 +291,14 @@ final class BiDirectionalProcessor implements RayProcessor {
             if (!eye.connectable[f]) {
                 continue;
             }
-            if (allLights) {
-                addSampledLight(f, index, sampler);
-            } else {
-                addSampledLight(f, sampler);
+            if (f + 2 >= minVertices) {
+                if (allLights) {
+                    addSampledLight(f, index, sampler);
+                } else {
+                    addSampledLight(f, sampler);
+                }
             }
-            for (int e = 1; e < light.length() && e + f + 2 <= maxVertices; e++) {
+            for (int e = (int) Math.max(1, minVertices - 2 - f); e < light.length() && e + f + 2 <= maxVertices; e++) {
                 if (light.connectable[e]) {
                     connect(e, f);
                 }
@@ -219,7 +309,7 @@ final class BiDirectionalProcessor implements RayProcessor {
     /** Technique s = 0: the eye subpath ends on a light for the moment. */
     private void addMet(PathValues path) {
         int last = path.length() - 1;
-        if (path.length() > maxVertices) {
+        if (path.length() > maxVertices || path.length() < minVertices) {
             return;
         }
         if (path.infinite) {
@@ -403,6 +493,8 @@ final class BiDirectionalProcessor implements RayProcessor {
         contribution.t = f + 1;
         contribution.filmX = sampleX;
         contribution.filmY = sampleY;
+        contribution.lensU = lensU;
+        contribution.lensV = lensV;
         contribution.lightIndex = lightIndex;
         contribution.r = factor * value.r * eye.throughputR[f];
         contribution.g = factor * value.g * eye.throughputG[f];

@@ -1,5 +1,6 @@
 package org.daybreak.bidirectional;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.render.Parameter;
@@ -19,6 +20,8 @@ import org.daybreak.core.render.ParameterValues;
  * @param allLights whether each sample has a light subpath and a light sample for every light, or for one that is chosen
  * @param causticMap whether light subpaths are joined to the lens
  * @param lensHits whether light subpaths count that hit a lens with an area
+ * @param minDepth smallest number of edges of the full paths that count: shorter ones are left out, which does not change the weights
+ *     of the others
  */
 public record BidirectionalSettings(
         int maxEyeDepth,
@@ -30,7 +33,8 @@ public record BidirectionalSettings(
         int splitting,
         boolean allLights,
         boolean causticMap,
-        boolean lensHits) {
+        boolean lensHits,
+        int minDepth) {
     /** Where Russian roulette is played. */
     public enum Roulette {
         /** Nowhere: the limits of depth end paths. */
@@ -41,8 +45,7 @@ public record BidirectionalSettings(
         EFFICIENCY
     }
 
-    /** The parameters from which the settings are made. */
-    static final List<Parameter> PARAMETERS = List.of(
+    private static final List<Parameter> PATHS = List.of(
             depth(
                     "maxEyeDepth",
                     "Max. eye path depth",
@@ -65,7 +68,26 @@ public record BidirectionalSettings(
                     0,
                     1000,
                     "Exponent β of the heuristic that weights the ways to make a path: 0 for equal weights, 1 for the"
-                            + " balance heuristic, 2 for the power heuristic. Does not change the mean."),
+                            + " balance heuristic, 2 for the power heuristic. Does not change the mean."));
+
+    private static final Parameter RR_DEPTH = Parameter.integer(
+            "rrDepth",
+            "Russian roulette from depth",
+            3,
+            1,
+            Integer.MAX_VALUE,
+            "Number of edges from which on a subpath may be ended at random. Does not change the mean.");
+
+    private static final Parameter CAUSTIC_MAP = Parameter.flag(
+            "causticMap",
+            "Caustic map",
+            true,
+            "Whether light paths are joined to the lens, which finds caustics and what else light paths bring"
+                    + " there. Without, light that no other way finds is missing.");
+
+    /** The parameters from which the settings are made. */
+    static final List<Parameter> PARAMETERS = joined(
+            PATHS,
             Parameter.choice(
                     "russianRoulette",
                     "Russian roulette",
@@ -74,13 +96,7 @@ public record BidirectionalSettings(
                     "none: limits of depth alone end paths; throughput: paths end in proportion to what they can still"
                             + " contribute; efficiency: besides, occlusion tests of small contributions are left out at"
                             + " random. Does not change the mean."),
-            Parameter.integer(
-                    "rrDepth",
-                    "Russian roulette from depth",
-                    3,
-                    1,
-                    Integer.MAX_VALUE,
-                    "Number of edges from which on a subpath may be ended at random. Does not change the mean."),
+            RR_DEPTH,
             Parameter.integer(
                     "splitting",
                     "Eye paths from the first diffuse surface",
@@ -97,12 +113,7 @@ public record BidirectionalSettings(
                     List.of("one", "all"),
                     "one: a light is chosen by its power for the light path, and by its effect for each light sample;"
                             + " all: every light gets a light path and a light sample. Does not change the mean."),
-            Parameter.flag(
-                    "causticMap",
-                    "Caustic map",
-                    true,
-                    "Whether light paths are joined to the lens, which finds caustics and what else light paths bring"
-                            + " there. Without, light that no other way finds is missing."),
+            CAUSTIC_MAP,
             Parameter.flag(
                     "lensHits",
                     "Light paths that hit the lens",
@@ -110,6 +121,25 @@ public record BidirectionalSettings(
                     "Whether light paths count that hit a lens with an area by themselves: more help where a wide lens sees"
                             + " caustics in mirrors or glass. Finds, besides, what no other way does: point lights, as the"
                             + " discs that a lens makes of them, and their caustics in mirrors and glass."));
+
+    /** The parameters of algorithms whose states are single samples: {@link #ofSingleSamples} makes settings from them. */
+    public static final List<Parameter> SINGLE_SAMPLE_PARAMETERS = joined(
+            PATHS,
+            Parameter.choice(
+                    "russianRoulette",
+                    "Russian roulette",
+                    "throughput",
+                    List.of("none", "throughput"),
+                    "none: limits of depth alone end paths; throughput: paths end in proportion to what they can still"
+                            + " contribute. Does not change the mean."),
+            RR_DEPTH,
+            CAUSTIC_MAP);
+
+    private static List<Parameter> joined(List<Parameter> first, Parameter... others) {
+        List<Parameter> all = new ArrayList<>(first);
+        all.addAll(List.of(others));
+        return List.copyOf(all);
+    }
 
     private static Parameter depth(String name, String label, String doc) {
         return Parameter.integer(name, label, -1, -1, Integer.MAX_VALUE, doc);
@@ -119,6 +149,7 @@ public record BidirectionalSettings(
      * Checks what the ranges of the single values do not say.
      *
      * @throws ParameterException if a depth is 0, if nothing can be rendered, or if paths would never end
+     * @throws IllegalArgumentException if the smallest number of edges is not positive
      */
     public BidirectionalSettings {
         requireDepth("maxEyeDepth", maxEyeDepth);
@@ -131,6 +162,34 @@ public record BidirectionalSettings(
             throw new ParameterException(
                     "without Russian roulette paths need a limit: set maxDepth, or maxEyeDepth" + " and maxLightDepth");
         }
+        if (minDepth < 1) {
+            throw new IllegalArgumentException("paths have at least 1 edge: " + minDepth);
+        }
+    }
+
+    /** Settings with which paths of all lengths count, but hits of the lens do not. */
+    public BidirectionalSettings(
+            int maxEyeDepth,
+            int maxLightDepth,
+            int maxDepth,
+            double heuristicExponent,
+            Roulette roulette,
+            int rrDepth,
+            int splitting,
+            boolean allLights,
+            boolean causticMap) {
+        this(
+                maxEyeDepth,
+                maxLightDepth,
+                maxDepth,
+                heuristicExponent,
+                roulette,
+                rrDepth,
+                splitting,
+                allLights,
+                causticMap,
+                false,
+                1);
     }
 
     private static void requireDepth(String name, int depth) {
@@ -156,12 +215,66 @@ public record BidirectionalSettings(
                 values.integer("splitting"),
                 values.choice("lightsPerPath").equals("all"),
                 values.flag("causticMap"),
-                values.flag("lensHits"));
+                values.flag("lensHits"),
+                1);
     }
 
     /** A roulette for occlusion tests as the settings want it. */
     ConnectionRoulette connectionRoulette() {
         return new ConnectionRoulette(roulette == Roulette.EFFICIENCY);
+    }
+
+    /**
+     * Settings of an algorithm whose states are single samples: {@link #singleSample} at once.
+     *
+     * @param values with {@link #SINGLE_SAMPLE_PARAMETERS} among them
+     */
+    public static BidirectionalSettings ofSingleSamples(ParameterValues values) {
+        return new BidirectionalSettings(
+                values.integer("maxEyeDepth"),
+                values.integer("maxLightDepth"),
+                values.integer("maxDepth"),
+                values.real("heuristicExponent"),
+                values.choice("russianRoulette").equals("none") ? Roulette.NONE : Roulette.THROUGHPUT,
+                values.integer("rrDepth"),
+                1,
+                false,
+                values.flag("causticMap"));
+    }
+
+    /** The same settings for paths of so many edges or more. */
+    public BidirectionalSettings withMinDepth(int edges) {
+        return new BidirectionalSettings(
+                maxEyeDepth,
+                maxLightDepth,
+                maxDepth,
+                heuristicExponent,
+                roulette,
+                rrDepth,
+                splitting,
+                allLights,
+                causticMap,
+                lensHits,
+                edges);
+    }
+
+    /**
+     * The same settings for samples that depend on nothing but their numbers: with one light subpath, without splitting, without hits
+     * of the lens, and without the roulette for occlusion tests, which goes by the samples before.
+     */
+    public BidirectionalSettings singleSample() {
+        return new BidirectionalSettings(
+                maxEyeDepth,
+                maxLightDepth,
+                maxDepth,
+                heuristicExponent,
+                roulette == Roulette.NONE ? Roulette.NONE : Roulette.THROUGHPUT,
+                rrDepth,
+                1,
+                false,
+                causticMap,
+                false,
+                minDepth);
     }
 
     /** In how many ways an eye subpath goes on from the first vertex that can be connected. */

@@ -28,16 +28,20 @@ final class CausticMap {
     private final boolean emitters;
     private final boolean lensArea;
     private final double perPixel;
+    private final long minVertices;
     private final long maxVertices;
     private final Contribution contribution;
     private final Contribution.@Nullable Listener listener;
     private SplatBuffer splats = new SplatBuffer();
+    private double lensU;
+    private double lensV;
     private double luminance;
     private boolean finite;
 
     /**
      * Creates a map.
      *
+     * @param minVertices smallest number of vertices of a full path
      * @param maxVertices largest number of vertices of a full path
      * @param emitters whether lights are joined to the lens themselves: {@link TechniqueLimits#emitterAtLens}
      */
@@ -50,6 +54,7 @@ final class CausticMap {
             LightDensities lights,
             Contribution contribution,
             Contribution.@Nullable Listener listener,
+            long minVertices,
             long maxVertices,
             boolean emitters) {
         this.scene = scene;
@@ -60,6 +65,7 @@ final class CausticMap {
         this.lens = lens;
         this.contribution = contribution;
         this.listener = listener;
+        this.minVertices = minVertices;
         this.maxVertices = maxVertices;
         lensArea = camera.hasLensArea();
         perPixel = 1 / ((double) camera.width() * camera.height());
@@ -89,51 +95,59 @@ final class CausticMap {
      * @param index its light
      */
     void add(PathValues path, int index, int subpath, Sampler sampler) {
-        Light light = scene.light(index);
-        if (emitters && !light.isDelta() && maxVertices >= 2) {
-            addEmitter(path, light, index, subpath, sampler);
+        if (minVertices <= 2 && maxVertices >= 2) {
+            addEmitter(path, index, subpath, sampler);
         }
-        for (int e = 1; e < path.length() && e + 2 <= maxVertices; e++) {
-            if (!path.connectable[e]) {
-                continue;
-            }
-            double u = 0.5;
-            double v = 0.5;
-            if (lensArea) {
-                sampler.setDimension(Dimensions.lightPath(path.surface[e], subpath) + 2);
-                u = sampler.next();
-                v = sampler.next();
-            }
-            SurfacePoint y = path.points[e];
-            Bsdf bsdf = path.bsdfs[e];
-            if (lens.aimFromSurface(y, bsdf, path.backX[e], path.backY[e], path.backZ[e], u, v)) {
-                double weight = complement.lens(path, e + 1, lens.lens(), lens.filmDensity(), lens.scatteringDensity());
-                splat(y, e + 1, index, weight, path.throughputR[e], path.throughputG[e], path.throughputB[e]);
-            }
+        for (int e = (int) Math.max(1, minVertices - 2); e < path.length() && e + 2 <= maxVertices; e++) {
+            addVertex(path, e, index, subpath, sampler);
         }
     }
 
-    /** The emitter itself as the lens sees it, s = 1. */
-    private void addEmitter(PathValues path, Light light, int index, int subpath, Sampler sampler) {
-        double u = 0.5;
-        double v = 0.5;
+    /** Joins a vertex behind the first one of a light subpath to the lens, s ≥ 2. */
+    void addVertex(PathValues path, int e, int index, int subpath, Sampler sampler) {
+        if (!path.connectable[e]) {
+            return;
+        }
+        lensU = 0.5;
+        lensV = 0.5;
+        if (lensArea) {
+            sampler.setDimension(Dimensions.lightPath(path.surface[e], subpath) + 2);
+            lensU = sampler.next();
+            lensV = sampler.next();
+        }
+        SurfacePoint y = path.points[e];
+        Bsdf bsdf = path.bsdfs[e];
+        if (lens.aimFromSurface(y, bsdf, path.backX[e], path.backY[e], path.backZ[e], lensU, lensV)) {
+            double weight = complement.lens(path, e + 1, lens.lens(), lens.filmDensity(), lens.scatteringDensity());
+            splat(y, e + 1, index, weight, path.throughputR[e], path.throughputG[e], path.throughputB[e]);
+        }
+    }
+
+    /** The emitter itself as the lens sees it, s = 1, where that is done. */
+    void addEmitter(PathValues path, int index, int subpath, Sampler sampler) {
+        Light light = scene.light(index);
+        if (!emitters || light.isDelta()) {
+            return;
+        }
+        lensU = 0.5;
+        lensV = 0.5;
         if (lensArea) {
             sampler.setDimension(Dimensions.lightPathChoices(0, subpath) + 2);
-            u = sampler.next();
-            v = sampler.next();
+            lensU = sampler.next();
+            lensV = sampler.next();
         }
         if (light.isInfinite()) {
             sampler.setDimension(Dimensions.lightPath(0, subpath) + 2);
             double s = sampler.next();
             double t = sampler.next();
-            double density = lens.aimFromInfinity(light, s, t, u, v);
+            double density = lens.aimFromInfinity(light, s, t, lensU, lensV);
             if (density > 0) {
                 double chosen = lights.emissionChoice(index);
                 double weight = complement.emitterAtLens(
                         index, path.points[0], lens.lens(), chosen * density, lens.filmDensity());
                 splat(path.points[0], 1, index, weight, 1 / chosen, 1 / chosen, 1 / chosen);
             }
-        } else if (path.length() > 0 && lens.aimFromEmitter(light, path.points[0], u, v)) {
+        } else if (path.length() > 0 && lens.aimFromEmitter(light, path.points[0], lensU, lensV)) {
             double density = path.forward[0];
             double weight = complement.emitterAtLens(index, path.points[0], lens.lens(), density, lens.filmDensity());
             splat(path.points[0], 1, index, weight, 1 / density, 1 / density, 1 / density);
@@ -183,7 +197,7 @@ final class CausticMap {
      */
     void addHit(PathValues path, double r, double g, double b, double density, double filmDensity) {
         int s = path.length() + 1;
-        if (s > maxVertices) {
+        if (s < minVertices || s > maxVertices) {
             return;
         }
         LensSample at = lens.lens();
@@ -207,6 +221,8 @@ final class CausticMap {
         c.r = r;
         c.g = g;
         c.b = b;
+        c.lensU = lensU;
+        c.lensV = lensV;
         c.weight = weight;
         return c;
     }

@@ -10,7 +10,7 @@ import org.daybreak.core.scene.Scene;
 import org.daybreak.tracing.EmissionGuide;
 
 /** Densities of points on lights and of the rays that leave them, with the choice of the light. One object per worker. */
-final class LightDensities {
+public final class LightDensities {
     private final Scene scene;
     private final LightSelection selection;
     private final boolean all;
@@ -18,15 +18,20 @@ final class LightDensities {
     private final EmissionDensity emission = new EmissionDensity();
 
     /** Density of x₀ as the start of a light subpath: per area, at infinity per solid angle; choice of the light included. */
-    double first;
+    public double first;
 
     /** Density of x₁ given x₀, per area. */
-    double second;
+    public double second;
 
     /** Density of x₀ by next-event estimation from x₁, as {@link #first}. */
-    double nextEvent;
+    public double nextEvent;
 
-    LightDensities(Scene scene, EmissionGuide guide, boolean all) {
+    /**
+     * Creates the densities of a worker.
+     *
+     * @param all whether each light is sampled, rather than one that is chosen
+     */
+    public LightDensities(Scene scene, EmissionGuide guide, boolean all) {
         this.scene = scene;
         this.guide = guide;
         this.all = all;
@@ -34,7 +39,7 @@ final class LightDensities {
     }
 
     /** Probability with which a vertex chooses a light for next-event estimation. */
-    double choice(int light, SurfacePoint p, Bsdf bsdf, double woX, double woY, double woZ) {
+    public double choice(int light, SurfacePoint p, Bsdf bsdf, double woX, double woY, double woZ) {
         if (all) {
             return 1;
         }
@@ -43,7 +48,7 @@ final class LightDensities {
     }
 
     /** Factor on the shading normal that lights are chosen with: 0 if the material may transmit, else the side of wo. */
-    static double side(SurfacePoint p, Bsdf bsdf, double woX, double woY, double woZ) {
+    public static double side(SurfacePoint p, Bsdf bsdf, double woX, double woY, double woZ) {
         return bsdf.transmissive() ? 0 : Math.signum(p.localZ(woX, woY, woZ));
     }
 
@@ -72,7 +77,7 @@ final class LightDensities {
      * @param chosen probability with which x₁ chooses the light
      * @param incident density per solid angle with which the light then samples the direction; 1 for delta lights
      */
-    void set(
+    public void set(
             int index,
             SurfacePoint onLight,
             SurfacePoint p,
@@ -100,7 +105,7 @@ final class LightDensities {
     }
 
     /** Probability with which light subpaths start from a light. */
-    double emissionChoice(int light) {
+    public double emissionChoice(int light) {
         return all ? 1 : selection.emissionProbability(light);
     }
 }

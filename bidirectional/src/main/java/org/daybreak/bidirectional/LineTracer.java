@@ -55,8 +55,11 @@ public final class LineTracer {
         void hit(PathValues path, double r, double g, double b, double density, double filmDensity);
     }
 
-    private static final Emission NO_EMISSION = path -> {};
-    private static final LensHits NO_HITS = (path, r, g, b, density, filmDensity) -> {};
+    /** Told of emission and does not care. */
+    static final Emission NO_EMISSION = path -> {};
+
+    /** Told of hits of the lens and does not care. */
+    static final LensHits NO_HITS = (path, r, g, b, density, filmDensity) -> {};
 
     private final Scene scene;
     private final Camera camera;
@@ -520,6 +523,7 @@ public final class LineTracer {
         double nextZ = scattered.wiZ;
         double back;
         path.delta[i] = scattered.delta;
+        path.lobe[i] = scattered.lobe;
         if (scattered.delta) {
             density = Math.abs(here.localZ(nextX, nextY, nextZ)) / scattered.eta;
             back = Math.abs(here.localZ(dx, dy, dz)) * scattered.eta;

@@ -63,6 +63,9 @@ public final class PathValues {
     /** True if the walk went on from this vertex by a delta lobe. */
     boolean[] delta = new boolean[0];
 
+    /** Index of the delta lobe, see {@link Bsdf#deltaLobe}, where {@link #delta} is true. */
+    int[] lobe = new int[0];
+
     /** True if the material has a lobe that connections can use. */
     boolean[] connectable = new boolean[0];
 
@@ -116,6 +119,36 @@ public final class PathValues {
         return points[vertex];
     }
 
+    /** Material of a vertex. */
+    public Bsdf bsdf(int vertex) {
+        return bsdfs[vertex];
+    }
+
+    /** True if the walk went on from a vertex by a delta lobe. */
+    public boolean isDelta(int vertex) {
+        return delta[vertex];
+    }
+
+    /** Index of the delta lobe that the walk went on by from a vertex, if it did. */
+    public int lobe(int vertex) {
+        return lobe[vertex];
+    }
+
+    /** Index of the area light at a vertex, or -1. Of vertex 0 of a light subpath: the light. */
+    public int light(int vertex) {
+        return light[vertex];
+    }
+
+    /** True if the first vertex of this light subpath, or the last one of this eye subpath, lies at infinity. */
+    public boolean isInfinite() {
+        return infinite;
+    }
+
+    /** Direction, as x, y or z component, from a vertex to the one before. */
+    public double back(int vertex, int component) {
+        return component == 0 ? backX[vertex] : component == 1 ? backY[vertex] : backZ[vertex];
+    }
+
     /** Makes room for so many vertices. */
     void reserve(int vertices) {
         int old = points.length;
@@ -139,6 +172,7 @@ public final class PathValues {
         reverse = Arrays.copyOf(reverse, capacity);
         toPrevious = Arrays.copyOf(toPrevious, capacity);
         delta = Arrays.copyOf(delta, capacity);
+        lobe = Arrays.copyOf(lobe, capacity);
         connectable = Arrays.copyOf(connectable, capacity);
         light = Arrays.copyOf(light, capacity);
         surface = Arrays.copyOf(surface, capacity);

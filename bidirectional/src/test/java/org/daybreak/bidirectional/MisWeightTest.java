@@ -114,7 +114,7 @@ class MisWeightTest {
         Scene scene = lensHits ? TestScenes.glassThroughWideLens(24, 18) : TestScenes.everything(24, 18);
         TechniqueLimits limits = new TechniqueLimits(Integer.MAX_VALUE, Integer.MAX_VALUE, lens, false, lensHits);
         BidirectionalSettings settings = new BidirectionalSettings(
-                -1, -1, -1, exponent, BidirectionalSettings.Roulette.THROUGHPUT, 5, 2, false, lens, lensHits);
+                -1, -1, -1, exponent, BidirectionalSettings.Roulette.THROUGHPUT, 5, 2, false, lens, lensHits, 1);
         int[] lengths = new int[64];
         int[] hits = new int[1];
         Contribution.Listener listener = c -> {

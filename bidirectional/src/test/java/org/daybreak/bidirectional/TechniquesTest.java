@@ -185,7 +185,8 @@ class TechniquesTest {
                     subject.splitting,
                     subject.allLights,
                     true,
-                    subject.lensHits);
+                    subject.lensHits,
+                    1);
             Camera camera = scene.camera();
             BiDirectionalProcessor processor = new BiDirectionalProcessor(scene, camera, false, settings, this);
             Sampler sampler = new SobolSampling().newSampler(seed, samplesPerPixel);

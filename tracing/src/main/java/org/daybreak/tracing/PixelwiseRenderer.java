@@ -220,7 +220,7 @@ public final class PixelwiseRenderer implements Renderer {
             if (unit.splats.size() > 0 && !processors.splats()) {
                 throw new IllegalStateException("renderer '" + id + "' splats but does not say so");
             }
-            unit.commit(film, furtherFilms);
+            unit.commit(film, furtherFilms, processors.splats());
             if (unit.counted) {
                 nonFinite.addAll(unit.nonFinite);
                 samples.addAndGet(unit.samples);

@@ -12,8 +12,8 @@ import org.daybreak.core.render.ParameterException;
 import org.daybreak.core.render.RenderContext;
 import org.daybreak.core.scene.RayKind;
 
-/** What the renderers of this module have in common before and after the work. */
-final class Reports {
+/** What renderers have in common before and after the work. */
+public final class Reports {
     private Reports() {}
 
     /**
@@ -21,7 +21,7 @@ final class Reports {
      *
      * @throws ParameterException if their sizes differ
      */
-    static void checkFilm(Camera camera, Film film) {
+    public static void checkFilm(Camera camera, Film film) {
         FilmSettings settings = film.settings();
         if (camera.width() != settings.width() || camera.height() != settings.height()) {
             throw new ParameterException("the camera is made for " + camera.width() + "x" + camera.height()
@@ -30,12 +30,12 @@ final class Reports {
     }
 
     /** True if somebody asked for the end of the render: by the token, or by interrupting the calling thread. */
-    static boolean cancelled(RenderContext context) {
+    public static boolean cancelled(RenderContext context) {
         return context.cancellation().isCancelled() || Thread.currentThread().isInterrupted();
     }
 
     /** Wall-clock seconds by phase. */
-    static Map<String, Double> phases(double preparedAt, double end) {
+    public static Map<String, Double> phases(double preparedAt, double end) {
         Map<String, Double> seconds = new LinkedHashMap<>();
         seconds.put("prepare", preparedAt);
         seconds.put("render", end - preparedAt);
@@ -43,7 +43,7 @@ final class Reports {
     }
 
     /** Sums over workers of the rays traced, by the name of their kind. */
-    static <W> Map<String, Long> raysByKind(List<W> workers, ToLongBiFunction<W, RayKind> count) {
+    public static <W> Map<String, Long> raysByKind(List<W> workers, ToLongBiFunction<W, RayKind> count) {
         Map<String, Long> rays = new LinkedHashMap<>();
         for (RayKind kind : RayKind.values()) {
             long sum = 0;

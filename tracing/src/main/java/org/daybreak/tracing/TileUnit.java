@@ -97,14 +97,18 @@ final class TileUnit {
         }
     }
 
-    /** Adds the unit's samples to a film and those of further images. */
-    void commit(Film film, Film[] further) {
+    /**
+     * Adds the unit's samples to a film and those of further images.
+     *
+     * @param splatting whether the algorithm splats: if not, the samples are no subpaths that might have
+     */
+    void commit(Film film, Film[] further, boolean splatting) {
         long countedSamples = counted ? tile.samples() : 0;
         film.commit(tile, countedSamples);
         for (int i = 0; i < further.length; i++) {
             further[i].commit(furtherTiles[i], countedSamples);
         }
-        if (counted) {
+        if (counted && splatting) {
             film.commit(splats, samples, lane);
             for (int i = 0; i < further.length; i++) {
                 further[i].commit(furtherSplats[i], samples);

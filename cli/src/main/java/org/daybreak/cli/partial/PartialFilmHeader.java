@@ -19,6 +19,7 @@ import org.daybreak.core.film.FilmState;
 import org.daybreak.core.film.ReconstructionFilter;
 import org.daybreak.core.render.RenderPart;
 import org.daybreak.core.render.RenderState;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The header of a partial film: all but the large arrays, as JSON.
@@ -135,6 +136,16 @@ record PartialFilmHeader(JsonNode json, List<Block> blocks) {
         json.writeNumberField("samples", film.samples());
         json.writeNumberField("splatPaths", film.splatPaths());
         json.writeNumberField("splatScale", film.splatScale());
+        FilmState.DependentSplats dependence = film.dependence();
+        if (dependence != null) {
+            json.writeObjectFieldStart("dependentSplats");
+            if (Double.isFinite(dependence.scaleError())) {
+                json.writeNumberField("scaleError", dependence.scaleError());
+            }
+            json.writeFieldName("lanePaths");
+            json.writeArray(dependence.lanePaths(), 0, dependence.lanePaths().length);
+            json.writeEndObject();
+        }
         json.writeArrayFieldStart("regions");
         for (FilmSettings.Crop region : film.regions()) {
             writeRectangle(json, region);
@@ -217,7 +228,21 @@ record PartialFilmHeader(JsonNode json, List<Block> blocks) {
                 field(film, "samples").asLong(),
                 FilmState.Splats.of(arrays.get(SPLATS_TOTAL), lanes, arrays.get(SPLATS_OPEN)),
                 field(film, "splatPaths").asLong(),
-                field(film, "splatScale").asDouble());
+                field(film, "splatScale").asDouble(),
+                dependence(film));
+    }
+
+    private static FilmState.@Nullable DependentSplats dependence(JsonNode film) {
+        JsonNode node = film.get("dependentSplats");
+        if (node == null) {
+            return null;
+        }
+        JsonNode paths = field(node, "lanePaths");
+        long[] lanePaths = new long[paths.size()];
+        for (int i = 0; i < lanePaths.length; i++) {
+            lanePaths[i] = paths.get(i).asLong();
+        }
+        return new FilmState.DependentSplats(node.path("scaleError").asDouble(Double.NaN), lanePaths);
     }
 
     private static JsonNode field(JsonNode object, String name) {

@@ -27,7 +27,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Variance.</b> Second moments give the variance of each pixel's value as if samples were independent:
  * (Σw²v² − 2μΣw²v + μ²Σw²)/(Σw)²·n/(n−1), n = (Σw)²/Σw². For splats it is (Σ(w·s)²/N − m²)/N, which takes a subpath
- * to hit a pixel at most once.
+ * to hit a pixel at most once. If splats depend on each other ({@link #useDependentSplats}), it is G/(G−1)·Σ(S−m·n)²/N² from the G lanes
+ * with sums S of n subpaths each, plus the square of what the error of the scale contributes.
  */
 public final class Film {
     private final FilmSettings settings;
@@ -182,11 +183,26 @@ public final class Film {
     }
 
     /**
-     * Sets the factor on the mean of the splats; 1 from the start. Algorithms whose splats are known up to a factor only
-     * (Markov chains) set it while they learn it.
+     * From now on splats may depend on others of the same lane, as those of Markov chains do, but not on those of other lanes: their
+     * variance is estimated from how much the lanes differ. All splats are committed to lanes with numbers then. Must be called
+     * before the first splat.
      */
+    public synchronized void useDependentSplats() {
+        splats.useDependentSplats();
+    }
+
+    /** Sets the factor on the mean of the splats; 1 from the start. */
     public synchronized void setSplatScale(double scale) {
-        splats.setScale(scale);
+        splats.setScale(scale, 0);
+    }
+
+    /**
+     * Sets the factor on the mean of the splats, for algorithms that estimate it (Markov chains).
+     *
+     * @param relativeError its standard error over itself: enters the variance of splats that depend on each other
+     */
+    public synchronized void setSplatScale(double scale, double relativeError) {
+        splats.setScale(scale, relativeError);
     }
 
     /** Number of samples committed. */
@@ -284,7 +300,16 @@ public final class Film {
             }
         }
         return new FilmState(
-                settings, layers, weighted, regions, copy, samples, splats.state(), splats.paths(), splats.scale());
+                settings,
+                layers,
+                weighted,
+                regions,
+                copy,
+                samples,
+                splats.state(),
+                splats.paths(),
+                splats.scale(),
+                splats.dependence());
     }
 
     /**
@@ -300,7 +325,7 @@ public final class Film {
         checkWeights(state);
         addSums(state);
         samples = state.samples();
-        splats.restore(state.splats(), state.splatPaths(), state.splatScale());
+        splats.restore(state);
     }
 
     /**
@@ -314,7 +339,7 @@ public final class Film {
         checkWeights(state);
         addSums(state);
         samples += state.samples();
-        splats.merge(state.splats(), state.splatPaths(), state.splatScale());
+        splats.merge(state);
     }
 
     private void checkSame(FilmState state) {

@@ -33,6 +33,12 @@ final class FilmSplats {
     private double scale = 1;
     private long paths;
 
+    /** Whether splats of a lane depend on each other; then the relative error of the scale, and the subpaths of each lane. */
+    private boolean dependent;
+
+    private double scaleError;
+    private final SortedMap<Integer, Long> lanePaths = new TreeMap<>();
+
     FilmSplats(FilmSettings settings, FilterKernel kernel, boolean pixelBox, int stride) {
         this.settings = settings;
         this.kernel = kernel;
@@ -60,6 +66,9 @@ final class FilmSplats {
         paths += subpaths;
         if (splats.size() > 0) {
             addAll(splats, lanes.computeIfAbsent(lane, number -> newLane()));
+        }
+        if (dependent) {
+            lanePaths.merge(lane, subpaths, Long::sum);
         }
     }
 
@@ -92,6 +101,10 @@ final class FilmSplats {
         keepLanes = true;
     }
 
+    void useDependentSplats() {
+        dependent = true;
+    }
+
     private void addToTotal(double[] lane) {
         double[] sum = total;
         if (sum == null) {
@@ -115,8 +128,36 @@ final class FilmSplats {
         return scale;
     }
 
-    void setScale(double scale) {
+    void setScale(double scale, double relativeError) {
         this.scale = scale;
+        scaleError = relativeError;
+    }
+
+    /** What is known of splats that depend on each other; null if they do not. */
+    FilmState.@Nullable DependentSplats dependence() {
+        if (!dependent) {
+            return null;
+        }
+        long[] counts = new long[lanes.size()];
+        int i = 0;
+        for (int number : lanes.keySet()) {
+            counts[i++] = pathsOf(number);
+        }
+        return new FilmState.DependentSplats(scaleError, counts);
+    }
+
+    private long pathsOf(int lane) {
+        return lanePaths.getOrDefault(lane, 0L);
+    }
+
+    private void addDependence(FilmState.@Nullable DependentSplats dependence, List<FilmState.Lane> ofLanes) {
+        if (dependence != null) {
+            dependent = true;
+            scaleError = dependence.scaleError();
+            for (int i = 0; i < ofLanes.size(); i++) {
+                lanePaths.merge(ofLanes.get(i).number(), dependence.lanePaths()[i], Long::sum);
+            }
+        }
     }
 
     /** A copy of all sums; lanes that were closed and kept are not written to any more and are handed out as they are. */
@@ -130,7 +171,8 @@ final class FilmSplats {
         return new FilmState.Splats(sum == null ? null : sum.clone(), copies, lane == null ? null : lane.clone());
     }
 
-    void restore(FilmState.Splats state, long subpaths, double factor) {
+    void restore(FilmState film) {
+        FilmState.Splats state = film.splats();
         double[] sum = state.total();
         double[] lane = state.open();
         total = sum == null ? null : sum.clone();
@@ -139,8 +181,10 @@ final class FilmSplats {
         for (FilmState.Lane numbered : state.lanes()) {
             lanes.put(numbered.number(), own(numbered.sums()));
         }
-        paths = subpaths;
-        scale = factor;
+        lanePaths.clear();
+        addDependence(film.dependence(), state.lanes());
+        paths = film.splatPaths();
+        scale = film.splatScale();
     }
 
     private double[] own(double[] lane) {
@@ -148,15 +192,21 @@ final class FilmSplats {
     }
 
     /** Adds the lanes of a part that comes next. */
-    void merge(FilmState.Splats state, long subpaths, double factor) {
+    void merge(FilmState film) {
+        FilmState.Splats state = film.splats();
         if (state.total() != null || state.open() != null) {
             throw new IllegalArgumentException("the splats of a part must be in lanes that are kept apart");
         }
         for (FilmState.Lane lane : state.lanes()) {
-            addToTotal(total == null ? lane.sums().clone() : lane.sums());
+            if (film.dependence() != null) {
+                lanes.put(lane.number(), lane.sums().clone());
+            } else {
+                addToTotal(total == null ? lane.sums().clone() : lane.sums());
+            }
         }
-        paths += subpaths;
-        scale = factor;
+        addDependence(film.dependence(), state.lanes());
+        paths += film.splatPaths();
+        scale = film.splatScale();
     }
 
     /** What all splats add up to now; null if there are none. */
@@ -200,23 +250,51 @@ final class FilmSplats {
 
         /** Mean luminance of a pixel. */
         double luminance(int pixel) {
-            return norm(pixel) * scale * luminanceSum(pixel) / paths;
+            return norm(pixel) * scale * luminanceSum(sums, pixel) / paths;
         }
 
         /** Variance of a colour channel's mean in a pixel. */
         double variance(int pixel, int channel) {
             int at = pixel * stride;
+            if (dependent) {
+                double sum = sums[at + channel];
+                double scatter = 0;
+                for (Map.Entry<Integer, double[]> lane : lanes.entrySet()) {
+                    scatter += squaredDifference(lane.getKey(), lane.getValue()[at + channel], sum);
+                }
+                return dependentVariance(pixel, sum, scatter);
+            }
             return variance(pixel, sums[at + channel], sums[at + 4 + channel]);
         }
 
         /** Variance of the mean luminance of a pixel. */
         double luminanceVariance(int pixel) {
-            return variance(pixel, luminanceSum(pixel), sums[pixel * stride + 3]);
+            if (dependent) {
+                double sum = luminanceSum(sums, pixel);
+                double scatter = 0;
+                for (Map.Entry<Integer, double[]> lane : lanes.entrySet()) {
+                    scatter += squaredDifference(lane.getKey(), luminanceSum(lane.getValue(), pixel), sum);
+                }
+                return dependentVariance(pixel, sum, scatter);
+            }
+            return variance(pixel, luminanceSum(sums, pixel), sums[pixel * stride + 3]);
         }
 
-        private double luminanceSum(int pixel) {
+        private double luminanceSum(double[] of, int pixel) {
             int at = pixel * stride;
-            return Spectrum.luminance(sums[at], sums[at + 1], sums[at + 2]);
+            return Spectrum.luminance(of[at], of[at + 1], of[at + 2]);
+        }
+
+        private double squaredDifference(int lane, double ofLane, double sum) {
+            double difference = ofLane - sum * ((double) pathsOf(lane) / paths);
+            return difference * difference;
+        }
+
+        private double dependentVariance(int pixel, double sum, double scatter) {
+            int n = lanes.size();
+            double factor = norm(pixel) * scale / paths;
+            double error = scaleError * sum;
+            return n < 2 ? Double.NaN : (scatter * n / (n - 1) + error * error) * factor * factor;
         }
 
         private double variance(int pixel, double sum, double squares) {

@@ -19,6 +19,7 @@ import org.jspecify.annotations.Nullable;
  *     added up already, null if they have no splat; then those of lanes that are kept apart; then that of the open lane
  * @param splatPaths number of subpaths that were traced for the splats
  * @param splatScale factor on the mean of the splats
+ * @param dependence what the variance of splats is estimated from if they depend on each other; null if they do not
  */
 public record FilmState(
         FilmSettings settings,
@@ -29,7 +30,8 @@ public record FilmState(
         long samples,
         Splats splats,
         long splatPaths,
-        double splatScale) {
+        double splatScale,
+        @Nullable DependentSplats dependence) {
     /**
      * Sums of splats in the order in which they are added up: (total + lane₀) + lane₁ + … + open.
      *
@@ -72,6 +74,28 @@ public record FilmState(
     public record Lane(int number, double[] sums) {}
 
     /**
+     * See {@link Film#useDependentSplats()}.
+     *
+     * @param scaleError standard error of the factor on the splats over itself
+     * @param lanePaths number of subpaths of each lane, in their order
+     */
+    public record DependentSplats(double scaleError, long[] lanePaths) {}
+
+    /** A state whose splats, if there are any, do not depend on each other. */
+    public FilmState(
+            FilmSettings settings,
+            Set<FilmLayer> layers,
+            boolean weighted,
+            List<FilmSettings.Crop> regions,
+            double[] sums,
+            long samples,
+            Splats splats,
+            long splatPaths,
+            double splatScale) {
+        this(settings, layers, weighted, regions, sums, samples, splats, splatPaths, splatScale, null);
+    }
+
+    /**
      * Checks that regions and lengths fit the settings.
      *
      * @throws IllegalArgumentException if they do not
@@ -99,6 +123,10 @@ public record FilmState(
         check("sums of splats", splats.open(), splatLength);
         for (Lane lane : splats.lanes()) {
             check("sums of splats", lane.sums, splatLength);
+        }
+        if (dependence != null && dependence.lanePaths.length != splats.lanes().size()) {
+            throw new IllegalArgumentException("there are " + splats.lanes().size()
+                    + " lanes of splats but numbers of subpaths of " + dependence.lanePaths.length);
         }
         if (samples < 0 || splatPaths < 0) {
             throw new IllegalArgumentException("a number of samples is negative");

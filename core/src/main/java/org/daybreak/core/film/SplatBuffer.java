@@ -57,6 +57,31 @@ public final class SplatBuffer {
         return used / STRIDE;
     }
 
+    /** Film position in pixels of a splat. */
+    public double filmX(int splat) {
+        return splats[STRIDE * splat];
+    }
+
+    /** Film position in pixels, downwards, of a splat. */
+    public double filmY(int splat) {
+        return splats[STRIDE * splat + 1];
+    }
+
+    /**
+     * A component of a splat.
+     *
+     * @param component 0 red, 1 green, 2 blue
+     */
+    public double value(int splat, int component) {
+        return splats[STRIDE * splat + 2 + component];
+    }
+
+    /** Luminance of a splat. */
+    public double luminance(int splat) {
+        int at = splat * STRIDE;
+        return Spectrum.luminance(splats[at + 2], splats[at + 3], splats[at + 4]);
+    }
+
     /** Film x, film y, red, green and blue of each splat; the first {@code STRIDE·size()} entries count. */
     double[] entries() {
         return splats;

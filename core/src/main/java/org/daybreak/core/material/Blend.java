@@ -11,6 +11,8 @@ public final class Blend implements Bsdf {
     private final Bsdf first;
     private final Bsdf second;
     private final TangentFrame tangentFrame;
+    /** Number of the second material's first delta lobe. */
+    private final int secondLobe;
 
     /**
      * Creates a blend.
@@ -24,6 +26,7 @@ public final class Blend implements Bsdf {
         this.first = first;
         this.second = second;
         this.tangentFrame = first.tangentFrame().and(second.tangentFrame());
+        this.secondLobe = first.deltaLobes();
     }
 
     @Override
@@ -34,6 +37,11 @@ public final class Blend implements Bsdf {
     @Override
     public TangentFrame tangentFrame() {
         return tangentFrame;
+    }
+
+    @Override
+    public boolean tiltsNormal() {
+        return first.tiltsNormal() || second.tiltsNormal();
     }
 
     @Override
@@ -115,10 +123,37 @@ public final class Blend implements Bsdf {
         }
         if (out.delta) {
             out.density *= chosen ? t : 1 - t;
+            if (chosen && !out.passThrough) {
+                out.lobe += secondLobe;
+            }
             return true;
         }
         double density = evaluate(point, woX, woY, woZ, out.wiX, out.wiY, out.wiZ, mode, out.weight);
         return out.complete(density, out.eta);
+    }
+
+    /** The first material's, then the second's. */
+    @Override
+    public int deltaLobes() {
+        return secondLobe + second.deltaLobes();
+    }
+
+    @Override
+    public boolean deltaLobe(
+            SurfacePoint point, double woX, double woY, double woZ, int lobe, TransportMode mode, BsdfSample out) {
+        double t = weight.at(point);
+        boolean chosen = lobe >= secondLobe;
+        double share = chosen ? t : 1 - t;
+        boolean followed = chosen
+                ? second.deltaLobe(point, woX, woY, woZ, lobe - secondLobe, mode, out)
+                : first.deltaLobe(point, woX, woY, woZ, lobe, mode, out);
+        if (share == 0 || !followed) {
+            return false;
+        }
+        out.weight.scale(share);
+        out.density *= share;
+        out.lobe = lobe;
+        return true;
     }
 
     @Override

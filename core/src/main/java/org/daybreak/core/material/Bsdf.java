@@ -14,7 +14,9 @@ import org.daybreak.core.geometry.SurfacePoint;
  * {@code sample} draws from exactly the density that {@code evaluate} and {@code density} report;
  * f·cos/density equals the sampled weight; energy ≤ 1;
  * symmetric in wo, wi but for refraction, where f(wo,wi)·η_o⁻² = f(wi,wo)·η_i⁻² in {@link TransportMode#RADIANCE}
- * (Veach 1997, eq. 5.14).
+ * (Veach 1997, eq. 5.14). Delta lobes keep to the same: {@link #deltaLobe} reports what {@code sample} draws, and a lobe
+ * leads back by its own number, with W(wo→wi) in RADIANCE equal to eta²·W(wi→wo) in IMPORTANCE, times
+ * |wo·m| |wi·n| / (|wo·n| |wi·m|) if a map tilts the normal n to m.
  */
 public interface Bsdf {
     /**
@@ -87,6 +89,32 @@ public interface Bsdf {
             BsdfSample out);
 
     /**
+     * Number of delta lobes that the material may have anywhere, from either side. They are numbered from 0; passing straight
+     * through a mask ({@link BsdfSample#passThrough}) is none of them.
+     */
+    default int deltaLobes() {
+        return 0;
+    }
+
+    /**
+     * Follows a given delta lobe, where {@link #sample} would draw one. A lobe that leads from wo to wi leads from wi to wo as
+     * well, under the same number.
+     *
+     * @param lobe number of the lobe, not negative, as {@link BsdfSample#lobe} reports it; there is none from
+     *     {@link #deltaLobes} on
+     * @param mode what the walk that arrived along {@code wo} carries
+     * @param out receives what {@code sample} reports of this lobe, but in {@link BsdfSample#weight} its reflectance or
+     *     transmittance W itself, not divided by the probability of choosing it, which is {@link BsdfSample#density}; its
+     *     content is undefined if the result is false
+     * @return false if nothing goes this way: total internal reflection, the wrong side, a lobe that is black or no delta
+     *     here
+     */
+    default boolean deltaLobe(
+            SurfacePoint point, double woX, double woY, double woZ, int lobe, TransportMode mode, BsdfSample out) {
+        return false;
+    }
+
+    /**
      * Fraction in [0,1] of light that passes straight through at this point as if there were no surface: 1 − opacity of
      * an alpha mask, 0 for ordinary materials. Occlusion queries multiply with it.
      */
@@ -113,6 +141,14 @@ public interface Bsdf {
      */
     default TangentFrame tangentFrame() {
         return TangentFrame.ARBITRARY;
+    }
+
+    /**
+     * True if scattering follows another normal than that of the shading frame anywhere, as with normal and bump maps: the
+     * derivative of the normal is then not that of the surface.
+     */
+    default boolean tiltsNormal() {
+        return false;
     }
 
     /**

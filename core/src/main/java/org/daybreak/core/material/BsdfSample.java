@@ -3,7 +3,10 @@ package org.daybreak.core.material;
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.sampling.Warps;
 
-/** A sampled scattering direction. Mutable, owned by one worker; filled by {@link Bsdf#sample}. */
+/**
+ * A sampled scattering direction, or the direction of a given delta lobe. Mutable, owned by one worker; filled by
+ * {@link Bsdf#sample} and {@link Bsdf#deltaLobe}.
+ */
 public final class BsdfSample {
     /** Sampled direction, unit length. Local shading frame as filled by a BSDF; world space after {@link Scattering#sample}. */
     public double wiX;
@@ -13,7 +16,8 @@ public final class BsdfSample {
 
     /**
      * Throughput factor {@code f·|cos θ_i| / density}: what a path's throughput is multiplied with. Finite for delta
-     * lobes as well, where it is the lobe's reflectance or transmittance divided by its choice probability.
+     * lobes as well, where it is the lobe's reflectance or transmittance divided by its choice probability; {@link
+     * Bsdf#deltaLobe} leaves it undivided.
      */
     public final Spectrum weight = new Spectrum();
 
@@ -25,6 +29,9 @@ public final class BsdfSample {
 
     /** True if the direction comes from a delta lobe: it cannot be connected to and has no density per solid angle. */
     public boolean delta;
+
+    /** Number of the delta lobe, for {@link Bsdf#deltaLobe}; 0 for non-delta lobes and if {@link #passThrough}. */
+    public int lobe;
 
     /** True if the path goes straight on as if there were no surface (alpha masks). Implies {@link #delta}. */
     public boolean passThrough;
@@ -83,15 +90,35 @@ public final class BsdfSample {
     void setContinuous(double density) {
         this.density = density;
         delta = false;
+        lobe = 0;
         passThrough = false;
         eta = 1;
     }
 
     /** Marks the sample as drawn from a delta lobe. */
-    void setDelta(double probability, double eta) {
+    void setDelta(int lobe, double probability, double eta) {
         this.density = probability;
         delta = true;
+        this.lobe = lobe;
         passThrough = false;
         this.eta = eta;
+    }
+
+    /** Marks the sample as going straight on as if there were no surface, and sets its direction and weight. */
+    void setPassThrough(double woX, double woY, double woZ, double probability) {
+        setStraight(woX, woY, woZ);
+        weight.set(1);
+        setDelta(0, probability, 1);
+        passThrough = true;
+    }
+
+    /**
+     * Turns the sample of a delta lobe into the lobe itself: {@link #weight} becomes its reflectance or transmittance.
+     *
+     * @return false if the lobe is black
+     */
+    boolean undoChoice() {
+        weight.scale(density);
+        return density > 0 && !weight.isBlack();
     }
 }

@@ -61,10 +61,21 @@ public final class Conductor extends DeltaBsdf {
             return false;
         }
         out.setMirrored(woX, woY, woZ);
-        out.setDelta(1, 1);
+        out.setDelta(0, 1, 1);
         specularReflectance.evaluate(point, out.weight);
         fresnel.multiply(woZ, out.weight);
         return true;
+    }
+
+    @Override
+    public int deltaLobes() {
+        return 1;
+    }
+
+    @Override
+    public boolean deltaLobe(
+            SurfacePoint point, double woX, double woY, double woZ, int lobe, TransportMode mode, BsdfSample out) {
+        return lobe == 0 && sample(point, woX, woY, woZ, 0, 0, 0, mode, out) && out.undoChoice();
     }
 
     @Override

@@ -5,6 +5,9 @@ import org.daybreak.core.geometry.SurfacePoint;
 
 /** A material of delta lobes only: nothing to evaluate, nothing to connect to. */
 abstract class DeltaBsdf implements Bsdf {
+    /** Instead of the number of a lobe: the one that a random number chooses. */
+    static final int CHOOSE = -1;
+
     @Override
     public final boolean connectable() {
         return false;

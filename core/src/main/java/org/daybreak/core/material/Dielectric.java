@@ -8,6 +8,9 @@ import org.daybreak.core.geometry.SurfacePoint;
  * exterior. Two-sided by nature.
  */
 public final class Dielectric extends DeltaBsdf {
+    private static final int REFLECTION = 0;
+    private static final int REFRACTION = 1;
+
     private final double intIor;
     private final double extIor;
     private final Reflectance specularReflectance;
@@ -50,6 +53,30 @@ public final class Dielectric extends DeltaBsdf {
             double w,
             TransportMode mode,
             BsdfSample out) {
+        return follow(point, woX, woY, woZ, w, CHOOSE, mode, out);
+    }
+
+    @Override
+    public int deltaLobes() {
+        return 2;
+    }
+
+    @Override
+    public boolean deltaLobe(
+            SurfacePoint point, double woX, double woY, double woZ, int lobe, TransportMode mode, BsdfSample out) {
+        return lobe <= REFRACTION && follow(point, woX, woY, woZ, 0, lobe, mode, out) && out.undoChoice();
+    }
+
+    /** Sets a sample of a given lobe, or of the one that {@code w} chooses. */
+    private boolean follow(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double w,
+            int lobe,
+            TransportMode mode,
+            BsdfSample out) {
         if (woZ == 0) {
             return false;
         }
@@ -58,16 +85,16 @@ public final class Dielectric extends DeltaBsdf {
         double cosine = Math.min(1, Math.abs(woZ));
         double refracted = Fresnel.refractedCosine(cosine, etaRatio);
         double reflectance = refracted < 0 ? 1 : Fresnel.dielectric(cosine, refracted, 1 / etaRatio);
-        if (w < reflectance) {
+        if (lobe == CHOOSE ? w < reflectance : lobe == REFLECTION) {
             out.setMirrored(woX, woY, woZ);
-            out.setDelta(reflectance, 1);
+            out.setDelta(REFLECTION, reflectance, 1);
             specularReflectance.evaluate(point, out.weight);
             return true;
         }
         out.wiX = -etaRatio * woX;
         out.wiY = -etaRatio * woY;
         out.wiZ = outside ? -refracted : refracted;
-        out.setDelta(1 - reflectance, etaRatio);
+        out.setDelta(REFRACTION, 1 - reflectance, etaRatio);
         // Radiance per solid angle changes with the square of the index where rays converge; flux does not.
         double scale = mode == TransportMode.RADIANCE ? etaRatio * etaRatio : 1;
         specularTransmittance.evaluateScaled(point, scale, out.weight);

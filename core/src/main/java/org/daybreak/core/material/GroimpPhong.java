@@ -25,6 +25,9 @@ public final class GroimpPhong implements Bsdf {
     /** Exponents above this, lobes of less than 0.03 degrees, count as mirrors. */
     static final double MIRROR_EXPONENT = 1e7;
 
+    private static final int REFLECTION = 0;
+    private static final int REFRACTION = 1;
+
     private static final double INV_PI = 1 / Math.PI;
     private static final double INV_TWO_PI = 0.5 / Math.PI;
 
@@ -63,6 +66,7 @@ public final class GroimpPhong implements Bsdf {
     private final Reflectance diffuseTransparency;
     private final boolean interpolated;
     private final boolean opaque;
+    private final int deltaLobes;
     /** Interior over exterior. */
     private final double eta;
 
@@ -86,6 +90,9 @@ public final class GroimpPhong implements Bsdf {
         interpolated = p.interpolated();
         boolean solid = p.alpha().isConstant() && p.alpha().evaluateScalar(new SurfacePoint()) == 1;
         opaque = solid && p.transparency().maximum() == 0;
+        boolean mirror = exponent(shininess.maximum()) == Double.POSITIVE_INFINITY;
+        boolean clear = !opaque && exponent(transparencyShininess.maximum()) == Double.POSITIVE_INFINITY;
+        deltaLobes = clear ? REFRACTION + 1 : mirror ? REFLECTION + 1 : 0;
         eta = Checks.requireIor("interior", intIor) / Checks.requireIor("exterior", extIor);
     }
 
@@ -405,7 +412,7 @@ public final class GroimpPhong implements Bsdf {
                 (base(ctG, out.weight.g) + r * ctG) / probability,
                 (base(ctB, out.weight.b) + r * ctB) / probability);
         out.setMirrored(woX, woY, woZ);
-        out.setDelta(probability, 1);
+        out.setDelta(REFLECTION, probability, 1);
         return true;
     }
 
@@ -432,8 +439,34 @@ public final class GroimpPhong implements Bsdf {
         out.wiX = -etaRatio * woX;
         out.wiY = -etaRatio * woY;
         out.wiZ = woZ > 0 ? -refracted : refracted;
-        out.setDelta(probability, etaRatio);
+        out.setDelta(REFRACTION, probability, etaRatio);
         return true;
+    }
+
+    @Override
+    public int deltaLobes() {
+        return deltaLobes;
+    }
+
+    @Override
+    public boolean deltaLobe(
+            SurfacePoint point, double woX, double woY, double woZ, int lobe, TransportMode mode, BsdfSample out) {
+        if (woZ == 0 || lobe > REFRACTION) {
+            return false;
+        }
+        UnitScalar channel = lobe == REFLECTION ? shininess : transparencyShininess;
+        if (exponent(channel.at(point)) < Double.POSITIVE_INFINITY) {
+            return false;
+        }
+        double ct = opaque ? 0 : through(alpha.at(point), transparency.luminance(point));
+        double r = choiceReflectance(woZ);
+        double mirror = specularWeight(point, ct, r);
+        double refraction = (1 - r) * ct;
+        double total = diffuseWeight(point, ct) + mirror + refraction + diffuseTransparency.luminance(point);
+        boolean followed = lobe == REFLECTION
+                ? reflect(point, woX, woY, woZ, mirror / total, out)
+                : refract(point, woX, woY, woZ, refraction / total, mode, out);
+        return followed && out.undoChoice();
     }
 
     /** Without Fresnel's reflection, and at most 1. */

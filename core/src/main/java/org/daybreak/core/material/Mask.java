@@ -34,6 +34,11 @@ public final class Mask implements Bsdf {
     }
 
     @Override
+    public boolean tiltsNormal() {
+        return nested.tiltsNormal();
+    }
+
+    @Override
     public boolean connectable() {
         return nested.connectable();
     }
@@ -91,10 +96,24 @@ public final class Mask implements Bsdf {
             out.density *= there;
             return sampled;
         }
-        out.setStraight(woX, woY, woZ);
-        out.weight.set(1);
-        out.setDelta(1 - there, 1);
-        out.passThrough = true;
+        out.setPassThrough(woX, woY, woZ, 1 - there);
+        return true;
+    }
+
+    @Override
+    public int deltaLobes() {
+        return nested.deltaLobes();
+    }
+
+    @Override
+    public boolean deltaLobe(
+            SurfacePoint point, double woX, double woY, double woZ, int lobe, TransportMode mode, BsdfSample out) {
+        double there = opacityAt(point);
+        if (there == 0 || !nested.deltaLobe(point, woX, woY, woZ, lobe, mode, out)) {
+            return false;
+        }
+        out.weight.scale(there);
+        out.density *= there;
         return true;
     }
 

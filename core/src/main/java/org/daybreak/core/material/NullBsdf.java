@@ -39,10 +39,7 @@ public final class NullBsdf extends DeltaBsdf {
             double w,
             TransportMode mode,
             BsdfSample out) {
-        out.setStraight(woX, woY, woZ);
-        out.weight.set(1);
-        out.setDelta(1, 1);
-        out.passThrough = true;
+        out.setPassThrough(woX, woY, woZ, 1);
         return true;
     }
 

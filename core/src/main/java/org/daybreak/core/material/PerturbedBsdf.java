@@ -51,6 +51,11 @@ abstract class PerturbedBsdf implements Bsdf {
     }
 
     @Override
+    public final boolean tiltsNormal() {
+        return true;
+    }
+
+    @Override
     public final boolean choosesLobe() {
         return nested.choosesLobe();
     }
@@ -150,6 +155,32 @@ abstract class PerturbedBsdf implements Bsdf {
             double w,
             TransportMode mode,
             BsdfSample out) {
+        return follow(point, woX, woY, woZ, u, v, w, DeltaBsdf.CHOOSE, mode, out);
+    }
+
+    @Override
+    public final int deltaLobes() {
+        return nested.deltaLobes();
+    }
+
+    @Override
+    public final boolean deltaLobe(
+            SurfacePoint point, double woX, double woY, double woZ, int lobe, TransportMode mode, BsdfSample out) {
+        return follow(point, woX, woY, woZ, 0, 0, 0, lobe, mode, out);
+    }
+
+    /** Samples, or follows a given delta lobe. */
+    private boolean follow(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double u,
+            double v,
+            double w,
+            int lobe,
+            TransportMode mode,
+            BsdfSample out) {
         double slopeS = slopeS(point);
         double slopeT = slopeT(point);
         double nz = 1 / Math.sqrt(1 + slopeS * slopeS + slopeT * slopeT);
@@ -159,7 +190,10 @@ abstract class PerturbedBsdf implements Bsdf {
         double ox = alongS(c, nx, ny, nz, woX, woY, woZ);
         double oy = alongT(c, ny, nz, woY, woZ);
         double oz = woX * nx + woY * ny + woZ * nz;
-        if (!nested.sample(point, ox, oy, oz, u, v, w, mode, out)) {
+        boolean followed = lobe == DeltaBsdf.CHOOSE
+                ? nested.sample(point, ox, oy, oz, u, v, w, mode, out)
+                : nested.deltaLobe(point, ox, oy, oz, lobe, mode, out);
+        if (!followed) {
             return false;
         }
         if (out.passThrough) {

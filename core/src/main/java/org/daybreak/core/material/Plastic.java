@@ -106,10 +106,38 @@ public final class Plastic implements Bsdf {
         if (!choice.anyLobe()) {
             return false;
         }
-        out.setMirrored(woX, woY, woZ);
-        out.setDelta(1 - diffuse, 1);
-        specularReflectance.evaluateScaled(point, (1 - transmittanceOut) / (1 - diffuse), out.weight);
+        setReflected(point, woX, woY, woZ, transmittanceOut, 1 - diffuse, out);
         return true;
+    }
+
+    @Override
+    public int deltaLobes() {
+        return 1;
+    }
+
+    @Override
+    public boolean deltaLobe(
+            SurfacePoint point, double woX, double woY, double woZ, int lobe, TransportMode mode, BsdfSample out) {
+        if (lobe > 0 || woZ <= 0) {
+            return false;
+        }
+        double transmittance = 1 - Fresnel.dielectric(Math.min(1, woZ), eta);
+        setReflected(point, woX, woY, woZ, transmittance, 1 - choice.diffuseProbability(transmittance), out);
+        return out.undoChoice();
+    }
+
+    /** Sets a sample of the reflection off the coating. */
+    private void setReflected(
+            SurfacePoint point,
+            double woX,
+            double woY,
+            double woZ,
+            double transmittance,
+            double probability,
+            BsdfSample out) {
+        out.setMirrored(woX, woY, woZ);
+        out.setDelta(0, probability, 1);
+        specularReflectance.evaluateScaled(point, (1 - transmittance) / probability, out.weight);
     }
 
     @Override

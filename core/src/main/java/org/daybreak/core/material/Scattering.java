@@ -103,6 +103,32 @@ public final class Scattering {
         if (!bsdf.sample(p, p.localX(woX, woY, woZ), p.localY(woX, woY, woZ), oz, u, v, w, mode, out)) {
             return false;
         }
+        return toWorld(p, oz, og, mode, out);
+    }
+
+    /**
+     * Follows a given delta lobe, as {@link Bsdf#deltaLobe}. On success {@code out} holds the world-space direction, and as
+     * weight the reflectance or transmittance including the adjoint factor.
+     *
+     * @return false if nothing goes this way, or the directions fail the side test
+     */
+    public static boolean deltaLobe(
+            Bsdf bsdf,
+            SurfacePoint p,
+            double woX,
+            double woY,
+            double woZ,
+            int lobe,
+            TransportMode mode,
+            BsdfSample out) {
+        double oz = p.localZ(woX, woY, woZ);
+        double og = p.geometricCosine(woX, woY, woZ);
+        return bsdf.deltaLobe(p, p.localX(woX, woY, woZ), p.localY(woX, woY, woZ), oz, lobe, mode, out)
+                && toWorld(p, oz, og, mode, out);
+    }
+
+    /** Turns the direction to world space, makes the side test and applies the adjoint factor. */
+    private static boolean toWorld(SurfacePoint p, double oz, double og, TransportMode mode, BsdfSample out) {
         double lx = out.wiX;
         double ly = out.wiY;
         double iz = out.wiZ;

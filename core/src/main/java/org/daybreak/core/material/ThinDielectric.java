@@ -9,6 +9,9 @@ import org.daybreak.core.geometry.SurfacePoint;
  * 2F/(1 + F). Two-sided by nature.
  */
 public final class ThinDielectric extends DeltaBsdf {
+    private static final int REFLECTION = 0;
+    private static final int TRANSMISSION = 1;
+
     private final double eta;
     private final Reflectance specularReflectance;
     private final Reflectance specularTransmittance;
@@ -49,17 +52,33 @@ public final class ThinDielectric extends DeltaBsdf {
             double w,
             TransportMode mode,
             BsdfSample out) {
+        return follow(point, woX, woY, woZ, w, CHOOSE, out);
+    }
+
+    @Override
+    public int deltaLobes() {
+        return 2;
+    }
+
+    @Override
+    public boolean deltaLobe(
+            SurfacePoint point, double woX, double woY, double woZ, int lobe, TransportMode mode, BsdfSample out) {
+        return lobe <= TRANSMISSION && follow(point, woX, woY, woZ, 0, lobe, out) && out.undoChoice();
+    }
+
+    /** Sets a sample of a given lobe, or of the one that {@code w} chooses. */
+    private boolean follow(SurfacePoint point, double woX, double woY, double woZ, double w, int lobe, BsdfSample out) {
         if (woZ == 0) {
             return false;
         }
         double reflectance = reflectance(Math.min(1, Math.abs(woZ)));
-        if (w < reflectance) {
+        if (lobe == CHOOSE ? w < reflectance : lobe == REFLECTION) {
             out.setMirrored(woX, woY, woZ);
-            out.setDelta(reflectance, 1);
+            out.setDelta(REFLECTION, reflectance, 1);
             specularReflectance.evaluate(point, out.weight);
         } else {
             out.setStraight(woX, woY, woZ);
-            out.setDelta(1 - reflectance, 1);
+            out.setDelta(TRANSMISSION, 1 - reflectance, 1);
             specularTransmittance.evaluate(point, out.weight);
         }
         return true;

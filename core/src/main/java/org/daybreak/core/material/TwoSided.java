@@ -50,6 +50,11 @@ public final class TwoSided implements Bsdf {
     }
 
     @Override
+    public boolean tiltsNormal() {
+        return front.tiltsNormal() || back.tiltsNormal();
+    }
+
+    @Override
     public boolean connectable() {
         return front.connectable() || back.connectable();
     }
@@ -104,6 +109,23 @@ public final class TwoSided implements Bsdf {
         boolean sampled = back.sample(point, woX, woY, -woZ, u, v, w, mode, out);
         out.wiZ = -out.wiZ;
         return sampled;
+    }
+
+    /** The larger number of both sides: a side's lobes stay on it. */
+    @Override
+    public int deltaLobes() {
+        return Math.max(front.deltaLobes(), back.deltaLobes());
+    }
+
+    @Override
+    public boolean deltaLobe(
+            SurfacePoint point, double woX, double woY, double woZ, int lobe, TransportMode mode, BsdfSample out) {
+        if (woZ > 0) {
+            return front.deltaLobe(point, woX, woY, woZ, lobe, mode, out);
+        }
+        boolean followed = back.deltaLobe(point, woX, woY, -woZ, lobe, mode, out);
+        out.wiZ = -out.wiZ;
+        return followed;
     }
 
     /** The front's. */

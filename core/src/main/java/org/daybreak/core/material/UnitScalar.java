@@ -9,6 +9,7 @@ final class UnitScalar {
     /** Null if constant. */
     private final @Nullable Texture varying;
 
+    private final double maximum;
     private final boolean zero;
 
     /**
@@ -23,6 +24,8 @@ final class UnitScalar {
         }
         varying = texture.isConstant() ? null : texture;
         constant = texture.isConstant() ? texture.evaluateScalar(new SurfacePoint()) : 0;
+        // The luminance of a grey exceeds it by rounding.
+        maximum = texture.isConstant() ? constant : Math.min(1, texture.maximum() * (1 + 1e-15));
         zero = texture.maximum() == 0;
     }
 
@@ -30,6 +33,11 @@ final class UnitScalar {
     double at(SurfacePoint point) {
         Texture texture = varying;
         return texture == null ? constant : Math.min(1, texture.evaluateScalar(point));
+    }
+
+    /** Upper bound of {@link #at}. */
+    double maximum() {
+        return maximum;
     }
 
     /** True unless constant. */

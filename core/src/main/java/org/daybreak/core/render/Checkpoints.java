@@ -45,6 +45,14 @@ public final class Checkpoints {
         }
     }
 
+    /**
+     * True if the next call of {@link #beforeCommit} takes a state: for work whose state is whole only when nothing is under way,
+     * so that it can wait for that.
+     */
+    public boolean isDue() {
+        return due;
+    }
+
     /** Saves what was taken, and asks for the next if it is time to. To be called several times a second. */
     public void watch() {
         if (!sink.takesStates()) {

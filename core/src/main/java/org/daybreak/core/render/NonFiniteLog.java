@@ -32,6 +32,14 @@ public final class NonFiniteLog {
         }
     }
 
+    /** Counts a sample that has an address of the renderer's own. */
+    public void add(String address) {
+        count++;
+        if (addresses.size() < KEPT) {
+            addresses.add(address);
+        }
+    }
+
     /** Adds another log's entries after this one's. */
     public void addAll(NonFiniteLog other) {
         addAll(other.count, other.addresses);

@@ -1,5 +1,6 @@
 package org.daybreak.core.render;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
@@ -35,6 +36,8 @@ public record Parameter(
         BOOLEAN,
         /** {@link String}, one of the choices */
         CHOICE,
+        /** {@link String}, numbers with commas between them */
+        REALS,
         /** {@link String}, the name of a folder that a program writes images into, or empty for none */
         FOLDER
     }
@@ -53,6 +56,12 @@ public record Parameter(
     public static Parameter real(
             String name, String label, double defaultValue, double minimum, double maximum, String doc) {
         return new Parameter(name, label, Type.REAL, defaultValue, minimum, maximum, List.of(), doc);
+    }
+
+    /** One or more real numbers in {@code [minimum, maximum]}, with commas between them. */
+    public static Parameter reals(
+            String name, String label, String defaultValue, double minimum, double maximum, String doc) {
+        return new Parameter(name, label, Type.REALS, defaultValue, minimum, maximum, List.of(), doc);
     }
 
     /** A switch. */
@@ -84,6 +93,7 @@ public record Parameter(
         return switch (type) {
             case INTEGER -> parseInteger(t, text);
             case REAL -> parseReal(t, text);
+            case REALS -> parseReals(text);
             case BOOLEAN -> parseFlag(t, text);
             case CHOICE -> {
                 if (!choices.contains(t)) {
@@ -113,6 +123,14 @@ public record Parameter(
         return value;
     }
 
+    private String parseReals(String text) {
+        List<String> numbers = new ArrayList<>();
+        for (String number : text.split(",", -1)) {
+            numbers.add(parseReal(number.trim(), text).toString());
+        }
+        return String.join(",", numbers);
+    }
+
     private Double parseReal(String trimmed, String text) {
         double value;
         try {
@@ -139,6 +157,7 @@ public record Parameter(
         return switch (type) {
             case INTEGER -> "a whole number" + bounds(true);
             case REAL -> "a number" + bounds(false);
+            case REALS -> "numbers" + bounds(false) + ", with commas between them";
             case BOOLEAN -> "true or false";
             case CHOICE -> "one of " + String.join(", ", choices);
             case FOLDER -> "the name of a folder";

@@ -1,5 +1,6 @@
 package org.daybreak.core.render;
 
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -46,6 +47,13 @@ public final class ParameterValues {
     /** A real number. */
     public double real(String name) {
         return (Double) get(name);
+    }
+
+    /** Real numbers, one at least. */
+    public double[] reals(String name) {
+        return Arrays.stream(((String) get(name)).split(",", -1))
+                .mapToDouble(Double::parseDouble)
+                .toArray();
     }
 
     /** A switch. */

@@ -4,6 +4,7 @@ import org.daybreak.core.accel.HitRefinement;
 import org.daybreak.core.accel.Instance;
 import org.daybreak.core.accel.PrimitiveSet;
 import org.daybreak.core.accel.Quadric;
+import org.daybreak.core.geometry.SurfaceDifferential;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.material.TangentFrame;
 import org.jspecify.annotations.Nullable;
@@ -128,6 +129,35 @@ final class LevelGeometry {
         if (frames != null && frames[run] != TangentFrame.ARBITRARY) {
             alignFrame(frames[run], a, b, c, u, v, w, instance, hit);
         }
+    }
+
+    /**
+     * Fills in how the surface goes on around a point of this level.
+     *
+     * @param instance transform of the instance, null outside instances
+     * @return false if the point is on no surface of this level, or one without a normal
+     */
+    boolean differential(SurfacePoint point, @Nullable Instance instance, SurfaceDifferential out) {
+        out.setFlat(point);
+        int triangle = point.primitive;
+        int quadric = triangle - triangles.length / 3;
+        if (quadric >= 0) {
+            if (quadric >= quadrics.length || quadricShapes[quadric].shape() != point.shape) {
+                return false;
+            }
+            return Curvature.ofQuadric(quadrics[quadric], quadricShapes[quadric].flipped(), instance, point, out);
+        }
+        if (triangle < 0 || shapeOfRun[runOf(triangle)] != point.shape) {
+            return false;
+        }
+        float[] n = normals;
+        int a = 3 * triangles[3 * triangle];
+        if (n == null || (n[a] == 0 && n[a + 1] == 0 && n[a + 2] == 0)) {
+            return true;
+        }
+        int b = 3 * triangles[3 * triangle + 1];
+        int c = 3 * triangles[3 * triangle + 2];
+        return Curvature.ofVertexNormals(positions, n, a, b, c, instance, point, out);
     }
 
     /** Turns the frame along the texture coordinates, and from there along the tangents of the vertices where there are some. */

@@ -7,6 +7,7 @@ import org.daybreak.core.accel.Ray;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.film.FilmSettings;
 import org.daybreak.core.geometry.BoundingSphere;
+import org.daybreak.core.geometry.SurfaceDifferential;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.light.Light;
 import org.daybreak.core.light.LightSelection;
@@ -80,6 +81,19 @@ public final class Scene {
      */
     public void resolve(Ray ray, HitRefinement refinement, SurfacePoint hit) {
         surfaces.resolve(ray, refinement, hit);
+    }
+
+    /**
+     * Fills in how the surface goes on around a point: tangents and the derivatives of both normals. Costs about as much as
+     * resolving a hit, and nothing to who does not ask.
+     *
+     * @param point a point that {@link #resolve} has filled
+     * @param out receives the differential; where the answer is false, its tangents are still those of the point
+     * @return false if it is not known: at the tip of a cone, on materials whose normals a texture tilts
+     *     ({@link Bsdf#tiltsNormal}), and for points that no hit was resolved to, as those drawn from lights and lenses
+     */
+    public boolean differential(SurfacePoint point, SurfaceDifferential out) {
+        return surfaces.differential(point, out) && !bsdfs[point.shape].tiltsNormal();
     }
 
     /** Number of shapes; indices of {@link SurfacePoint#shape} run below it. */

@@ -3,6 +3,7 @@ package org.daybreak.core.scene;
 import org.daybreak.core.accel.HitRefinement;
 import org.daybreak.core.accel.PrimitiveSet;
 import org.daybreak.core.accel.Ray;
+import org.daybreak.core.geometry.SurfaceDifferential;
 import org.daybreak.core.geometry.SurfacePoint;
 
 /** Turns hits of the two-level acceleration structure into surface points. Immutable. */
@@ -48,5 +49,17 @@ final class SurfaceResolver {
             refinement.refine(world, ray, setOfInstance[instance]);
             geometryOfInstance[instance].complete(refinement, ray.primitive, world.instance(instance), hit);
         }
+    }
+
+    /**
+     * Fills in how the surface goes on around a resolved point.
+     *
+     * @return false if the point is on no surface, or one without a normal
+     */
+    boolean differential(SurfacePoint point, SurfaceDifferential out) {
+        int instance = point.instance;
+        return instance < 0
+                ? geometry.differential(point, null, out)
+                : geometryOfInstance[instance].differential(point, world.instance(instance), out);
     }
 }

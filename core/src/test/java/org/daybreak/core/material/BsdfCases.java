@@ -95,6 +95,7 @@ final class BsdfCases {
         addPrincipled(list);
         addPhong(list);
         addAdapters(list, diffuse, ggx);
+        addDeltaLobes(list, plastic);
         return List.copyOf(list);
     }
 
@@ -227,6 +228,49 @@ final class BsdfCases {
                 BitmapTexture.Wrap.REPEAT,
                 new double[] {1, 0, 0, 0, 1, 0});
         list.add(new Case("bump map", new BumpMap(bumps, 0.2, diffuse, true)));
+    }
+
+    /** Wrappers of delta lobes, which number them anew. */
+    private static void addDeltaLobes(List<Case> list, Bsdf plastic) {
+        Bsdf glass = new Dielectric(1.5, 1, tint(), base());
+        Bsdf pane = new ThinDielectric(1.4, 1, base(), tint());
+        Bsdf metal = new Conductor(eta(), k(), white());
+        Texture tilted = new ConstantTexture(0.65, 0.4, 0.9);
+        list.add(new Case(
+                "blend of mirror, glass and pane",
+                new Blend(ConstantTexture.grey(0.7), metal, new Blend(ConstantTexture.grey(0.4), glass, pane))));
+        list.add(new Case(
+                "blend of mirror, null and plastic",
+                new Blend(
+                        ConstantTexture.grey(0.6),
+                        new Blend(ConstantTexture.grey(0.5), metal, new NullBsdf()),
+                        plastic)));
+        list.add(new Case(
+                "two-sided blend with mirror",
+                new TwoSided(metal, new Blend(ConstantTexture.grey(0.3), metal, plastic))));
+        list.add(new Case("normal map over smooth glass", new NormalMap(tilted, glass, true)));
+        list.add(new Case(
+                "normal map over masked blend",
+                new NormalMap(
+                        tilted,
+                        new Mask(ConstantTexture.grey(0.7), new Blend(ConstantTexture.grey(0.5), plastic, pane)),
+                        false)));
+        Texture shininess =
+                new CheckerboardTexture(ConstantTexture.grey(0.4), white(), new double[] {1, 0, 0, 0, 1, 0});
+        list.add(new Case(
+                "phong mirror in places",
+                new GroimpPhong(
+                        new GroimpPhong.Parameters(
+                                base(),
+                                ConstantTexture.grey(0.5),
+                                tint(),
+                                shininess,
+                                tint(),
+                                shininess,
+                                ConstantTexture.grey(0.1),
+                                false),
+                        1.3,
+                        1)));
     }
 
     /** Both sides, along the normal, oblique and grazing. */

@@ -175,6 +175,7 @@ class BsdfContractTest {
             bsdf.sample(point, 0.6, 0, 0.8, u, v, 0.7548777 * i % 1, TransportMode.RADIANCE, sample);
             bsdf.evaluate(point, 0.6, 0, 0.8, sample.wiX, sample.wiY, sample.wiZ, TransportMode.IMPORTANCE, value);
             bsdf.density(point, 0.6, 0, 0.8, sample.wiX, sample.wiY, sample.wiZ, TransportMode.RADIANCE);
+            bsdf.deltaLobe(point, 0.6, 0, 0.8, i % 4, TransportMode.RADIANCE, sample);
             bsdf.albedo(point, value);
         }
     }

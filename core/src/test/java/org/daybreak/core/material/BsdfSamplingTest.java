@@ -70,17 +70,30 @@ class BsdfSamplingTest {
                 .assertAgrees(level);
     }
 
-    /** The delta lobes as a χ² test of how often each is chosen; the rest is one class. */
+    /**
+     * How often each delta lobe is chosen against what {@link Bsdf#deltaLobe} says of it, and passing straight through
+     * against the transparency, as a χ² test; the rest is one class.
+     */
     private static void checkDeltaLobes(
             String name, Bsdf bsdf, BsdfCases.Direction wo, TransportMode mode, long seed, double level) {
         SurfacePoint point = BsdfCases.point();
         RandomStream random = new RandomStream(seed, StreamDomain.SELF_CHECK, 1, 0);
         BsdfSample sample = new BsdfSample();
-        // Reflected, refracted, straight on, everything else.
-        long[] observed = new long[4];
-        double[] expected = new double[4];
+        int lobes = bsdf.deltaLobes();
+        int straight = lobes;
+        int rest = lobes + 1;
+        double[] expected = new double[lobes + 2];
+        expected[straight] = bsdf.transparency(point) * SAMPLES;
+        expected[rest] = SAMPLES - expected[straight];
+        for (int lobe = 0; lobe < lobes; lobe++) {
+            if (bsdf.deltaLobe(point, wo.x(), wo.y(), wo.z(), lobe, mode, sample)) {
+                expected[lobe] = sample.density * SAMPLES;
+                expected[rest] -= expected[lobe];
+            }
+        }
+        long[] observed = new long[lobes + 2];
         for (int i = 0; i < SAMPLES; i++) {
-            int lobe = 3;
+            int lobe = rest;
             if (bsdf.sample(
                             point,
                             wo.x(),
@@ -91,24 +104,20 @@ class BsdfSamplingTest {
                             random.nextDouble(),
                             mode,
                             sample)
-                    && sample.delta) {
-                lobe = sample.passThrough ? 2 : sample.wiZ * wo.z() > 0 ? 0 : 1;
+                    && sample.delta
+                    && !sample.weight.isBlack()) {
+                lobe = sample.passThrough ? straight : sample.lobe;
                 double share = sample.density * SAMPLES;
-                assertEquals(expected[lobe] == 0 ? share : expected[lobe], share, 1e-9 * share, name);
-                expected[lobe] = share;
+                assertEquals(expected[lobe], share, 1e-9 * share, name);
             }
             observed[lobe]++;
         }
-        if (observed[3] == SAMPLES) {
-            return;
+        if (Math.abs(expected[rest]) < 1e-9 * SAMPLES) {
+            expected[rest] = 0;
         }
-        expected[3] = SAMPLES - expected[0] - expected[1] - expected[2];
-        if (Math.abs(expected[3]) < 1e-9 * SAMPLES) {
-            expected[3] = 0;
-        }
-        assertTrue(expected[3] >= 0, name + ": the probabilities of the delta lobes exceed 1");
+        assertTrue(expected[rest] >= 0, name + ": the probabilities of the delta lobes exceed 1");
         if (testableClasses(expected) < 2) {
-            assertEquals(expected[3] == 0 ? 0 : observed[3], observed[3], name);
+            assertEquals(expected[rest] == 0 ? 0 : observed[rest], observed[rest], name);
             return;
         }
         ChiSquareTest.Result result = ChiSquareTest.compare(name + ", delta lobes", observed, expected);

@@ -167,7 +167,7 @@ class ScatteringTest {
     }
 
     /** A point with a random geometric normal and a shading normal up to 60° off it. */
-    private static SurfacePoint tiltedPoint(RandomStream random) {
+    static SurfacePoint tiltedPoint(RandomStream random) {
         SurfacePoint p = BsdfCases.point();
         double[] g = new double[3];
         direction(random, g);

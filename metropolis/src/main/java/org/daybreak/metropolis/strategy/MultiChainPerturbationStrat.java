@@ -1,0 +1,125 @@
+package org.daybreak.metropolis.strategy;
+
+import org.daybreak.core.sampling.RandomStream;
+import org.daybreak.metropolis.Outcome;
+
+/**
+ * Moves the image point, follows ideal reflections and refractions to the first other vertex, tilts the direction there and goes on
+ * so for each further chain, until a vertex can be joined to the rest: a path …(L|D)DS⁺D…S*E (thesis §5.4; Veach
+ * 1997, §11.4.3).
+ *
+ * <p>The range of angles is that of image distances between the given bounds, scaled with the length of the path from the lens to the
+ * vertex over that of the chain.
+ */
+public final class MultiChainPerturbationStrat extends MutationStrategy {
+    private final double smallestJump;
+    private final double largestJump;
+    private final double smallest;
+    private final double largest;
+
+    /**
+     * Creates the strategy.
+     *
+     * @param weight relative probability of choosing it
+     * @param smallestJump of the image point, in pixels
+     * @param largestJump of the image point, in pixels
+     * @param smallest of the further chains' directions, in pixels that it corresponds to
+     * @param largest of the further chains' directions, in pixels that it corresponds to
+     */
+    public MultiChainPerturbationStrat(
+            double weight, double smallestJump, double largestJump, double smallest, double largest) {
+        super(weight);
+        this.smallestJump = smallestJump;
+        this.largestJump = largestJump;
+        this.smallest = smallest;
+        this.largest = largest;
+    }
+
+    @Override
+    public String id() {
+        return "multiChain";
+    }
+
+    @Override
+    protected boolean applies(LightPath x) {
+        int d = LensPiece.diffuse(x);
+        if (d == 0 || x.joins(d - 1) || x.filmPerSolidAngle == 0) {
+            return false;
+        }
+        int end = end(x, d);
+        return end > 0 || !(x.deltaLight || x.infinite);
+    }
+
+    /** The vertex that the last chain leads to. */
+    private static int end(LightPath x, int firstDiffuse) {
+        int d = firstDiffuse;
+        while (d > 0 && !x.joins(d - 1)) {
+            d = LensPiece.nextDiffuse(x, d);
+        }
+        return d;
+    }
+
+    /** Factor from distances on the film to angles at a vertex that a chain starts from towards another one. */
+    private static double scale(LightPath x, int start, int end) {
+        double before = 0;
+        for (int i = start; i < x.length - 1; i++) {
+            before += Math.sqrt(x.squared[i]);
+        }
+        double chain = 0;
+        for (int i = end; i < start; i++) {
+            chain += Math.sqrt(x.squared[i]);
+        }
+        return before / (chain * Math.sqrt(x.filmPerSolidAngle));
+    }
+
+    @Override
+    public boolean propose(
+            LightPath x, LightPath y, Move move, PathBuilder builder, RandomStream random, long stratum) {
+        int d = LensPiece.diffuse(x);
+        int last = end(x, d);
+        move.set(last - 1, x.length, x.length);
+        if (!LensPiece.perturbFilm(x, y, smallestJump, largestJump, builder, random)) {
+            return false;
+        }
+        while (d > last) {
+            int next = LensPiece.nextDiffuse(x, d);
+            if (!Tilt.tilt(
+                    -x.dx[d - 1], -x.dy[d - 1], -x.dz[d - 1], smallest, largest, scale(x, d, next), random, builder)) {
+                return builder.fail(Outcome.MISSED);
+            }
+            boolean met = builder.traceToLight(y, d, random);
+            if (!LensPiece.follow(x, y, d - 1, next, met, builder, random)) {
+                return false;
+            }
+            d = next;
+        }
+        if (last == 0 && y.infinite) {
+            return builder.fail(Outcome.KIND_CHANGED);
+        }
+        return LensPiece.join(x, y, last, builder);
+    }
+
+    @Override
+    public double transition(LightPath from, LightPath to, Move move, PathBuilder builder) {
+        int d = LensPiece.diffuse(from);
+        int last = move.kept + 1;
+        double density = LensPiece.density(to, to.length, d);
+        while (d > last) {
+            int next = LensPiece.nextDiffuse(from, d);
+            density *= Tilt.density(
+                    -from.dx[d - 1],
+                    -from.dy[d - 1],
+                    -from.dz[d - 1],
+                    -to.dx[d - 1],
+                    -to.dy[d - 1],
+                    -to.dz[d - 1],
+                    smallest,
+                    largest,
+                    scale(from, d, next));
+            density *= PathBuilder.towardsLight(to, d - 1) * to.clear[d - 1] * to.opacity[d - 1];
+            density *= LensPiece.density(to, d - 1, next);
+            d = next;
+        }
+        return density;
+    }
+}
