@@ -72,7 +72,7 @@ class PrimarySpaceTest {
     static Stream<Arguments> options() {
         Stream.Builder<Arguments> rows = Stream.builder();
         for (String renderer : new String[] {"pssmlt", "mmlt"}) {
-            rows.add(Arguments.of("cornell_spheres", renderer, "separateDirect=false largeStep=1", "", 100, 0.1));
+            rows.add(Arguments.of("cornell_spheres", renderer, "separateDirect=false largeStep=1", "", 100, 0.15));
             rows.add(Arguments.of("cornell_spheres", renderer, "largeStep=0.05", "", 100, 0.15));
             rows.add(Arguments.of("cornell_spheres", renderer, "expectedValues=false", "", 100, 0.15));
             rows.add(Arguments.of("cornell_spheres", renderer, "twoStage=true reduction=4", "", 100, 0.15));
