@@ -55,6 +55,21 @@ class ReproducibilityTest {
 
     private static Scene scene;
 
+    /** A renderer with its defaults, but for the length of Markov chains, which the samples per pixel do not set. */
+    private static Renderer renderer(String id, int mutationsPerPixel) {
+        return Rendering.renderer(
+                id,
+                Map.of(
+                        "mutationsPerPixel",
+                        Integer.toString(mutationsPerPixel),
+                        "seedPaths",
+                        "50",
+                        "bootstrapSamples",
+                        "2000",
+                        "directSamples",
+                        "3"));
+    }
+
     @BeforeAll
     static void compileScene() throws SceneException {
         scene = ShippedScenes.compile(
@@ -77,10 +92,14 @@ class ReproducibilityTest {
         "bidirectional, BOX, sobol",
         "bidirectional, MITCHELL, sobol",
         "bidirectional, GAUSSIAN, stratified",
-        "bidirectional, BOX, none"
+        "bidirectional, BOX, none",
+        "pssmlt, BOX, sobol",
+        "pssmlt, MITCHELL, stratified",
+        "mmlt, BOX, sobol",
+        "mmlt, GAUSSIAN, none"
     })
     void threadsDoNotChangeABit(String rendererId, ReconstructionFilter.Kind filter, String antialiasing) {
-        Renderer renderer = Rendering.renderer(rendererId);
+        Renderer renderer = renderer(rendererId, 6);
         // Below 16 samples per pixel the adaptive method is a uniform one.
         int samplesPerPixel = antialiasing.equals("adaptive") ? 20 : 5;
         Setup setup = new Setup(filter(filter), antialiasing(antialiasing), samplesPerPixel);
@@ -95,10 +114,10 @@ class ReproducibilityTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"path", "raytracer", "light", "bidirectional"})
+    @ValueSource(strings = {"path", "raytracer", "light", "bidirectional", "pssmlt", "mmlt"})
     void compilingAgainDoesNotChangeABit(String rendererId) throws SceneException {
         Setup setup = new Setup(ReconstructionFilter.BOX, antialiasing("sobol"), 4);
-        Renderer renderer = Rendering.renderer(rendererId);
+        Renderer renderer = renderer(rendererId, 6);
         Scene again = ShippedScenes.compile(
                 ShippedScenes.read("cornell_spheres/scene.xml").graph(), WIDTH, HEIGHT);
         assertSame(setup.render(renderer, SEED, 2), setup.render(renderer, again, SEED, 2), "compiled again");
@@ -106,10 +125,10 @@ class ReproducibilityTest {
 
     /** Two renders at a time share the scene and the renderer, and a third one is cancelled meanwhile. */
     @ParameterizedTest
-    @ValueSource(strings = {"path", "raytracer", "light", "bidirectional"})
+    @ValueSource(strings = {"path", "raytracer", "light", "bidirectional", "pssmlt", "mmlt"})
     void rendersAtTheSameTimeDoNotDisturbEachOther(String rendererId)
             throws InterruptedException, ExecutionException, TimeoutException {
-        Renderer renderer = Rendering.renderer(rendererId);
+        Renderer renderer = renderer(rendererId, 6);
         Setup setup = new Setup(ReconstructionFilter.MITCHELL, antialiasing("sobol"), 16);
         FilmImage alone1 = setup.render(renderer, SEED, 1);
         FilmImage alone2 = setup.render(renderer, SEED + 1, 1);
@@ -126,7 +145,8 @@ class ReproducibilityTest {
                 };
                 RenderContext context = new RenderContext(
                         SEED, 2, RenderBudget.samples(1 << 24), antialiasing("sobol"), token, listener);
-                return renderer.render(scene, scene.camera(), new Film(scene.film()), context);
+                return renderer(rendererId, 1 << 20)
+                        .render(scene, scene.camera(), new Film(scene.film()), context);
             });
             assertTrue(started.await(60, TimeUnit.SECONDS));
             Future<FilmImage> first = executor.submit(() -> setup.render(renderer, SEED, 2));
@@ -144,10 +164,10 @@ class ReproducibilityTest {
 
     /** A render goes on from a checkpoint while another one begins and a third one is cancelled. */
     @ParameterizedTest
-    @ValueSource(strings = {"path", "raytracer", "light", "bidirectional"})
+    @ValueSource(strings = {"path", "raytracer", "light", "bidirectional", "pssmlt", "mmlt"})
     void resumedRendersAreNotDisturbed(String rendererId)
             throws InterruptedException, ExecutionException, TimeoutException {
-        Renderer renderer = Rendering.renderer(rendererId);
+        Renderer renderer = renderer(rendererId, 6);
         Setup setup = new Setup(ReconstructionFilter.MITCHELL, antialiasing("sobol"), 32);
         FilmImage whole = setup.render(renderer, SEED, 1);
         FilmImage other = setup.render(renderer, SEED + 1, 1);
@@ -177,7 +197,7 @@ class ReproducibilityTest {
         CancellationToken third = new CancellationToken();
         ExecutorService executor = Executors.newFixedThreadPool(3);
         try {
-            Future<RenderReport> endless = executor.submit(() -> renderer.render(
+            Future<RenderReport> endless = executor.submit(() -> renderer(rendererId, 1 << 20).render(
                     scene,
                     scene.camera(),
                     setup.film(),
@@ -216,7 +236,7 @@ class ReproducibilityTest {
     @ParameterizedTest
     @CsvSource({"path, BOX", "path, GAUSSIAN", "path, MITCHELL", "raytracer, TENT", "light, BOX"})
     void cropIsThatPartOfTheImage(String rendererId, ReconstructionFilter.Kind kind) {
-        Renderer renderer = Rendering.renderer(rendererId);
+        Renderer renderer = renderer(rendererId, 6);
         ReconstructionFilter filter = filter(kind);
         Setup setup = new Setup(filter, antialiasing("sobol"), 4);
         FilmImage whole = setup.render(renderer, SEED, 2);
@@ -251,7 +271,7 @@ class ReproducibilityTest {
     @ParameterizedTest
     @ValueSource(strings = {"path", "raytracer", "bidirectional"})
     void varianceDoesNotDependOnThreads(String rendererId) {
-        Renderer renderer = Rendering.renderer(rendererId);
+        Renderer renderer = renderer(rendererId, 6);
         int runs = 24;
         double[][] one = new double[runs][];
         double[][] four = new double[runs][];

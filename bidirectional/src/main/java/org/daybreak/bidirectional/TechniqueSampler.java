@@ -9,7 +9,7 @@ import org.daybreak.tracing.RaySample;
 
 /**
  * Samples paths of a given number of edges by a given technique: a light subpath of s vertices and an eye subpath of t joined into a
- * path of k = s + t − 1 edges, as multiplexed algorithms need it (Hachisuka et al. 2014, §4). The numbers that a sampler has at the dimensions
+ * path of k = s + t − 1 edges, as multiplexed algorithms need it (Hachisuka et al. 2014). The numbers that a sampler has at the dimensions
  * of {@link org.daybreak.tracing.Dimensions} make the same path as in bidirectional path tracing, with the same weight; but for Russian
  * roulette, which does not end subpaths of a given length and has no part in the value.
  *

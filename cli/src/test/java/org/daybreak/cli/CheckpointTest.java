@@ -41,6 +41,12 @@ class CheckpointTest {
         return Cli.run(args.toArray());
     }
 
+    private static Object[] with(List<Object> options, Object... more) {
+        List<Object> all = new ArrayList<>(options);
+        all.addAll(Arrays.asList(more));
+        return all.toArray();
+    }
+
     private static void assertDone(Cli.Result result) {
         assertEquals(0, result.code(), result.err());
     }
@@ -54,15 +60,23 @@ class CheckpointTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"path, 3", "raytracer, 2", "light, 5", "bidirectional, 4"})
-    void mergedPartsAreTheWholeImage(String renderer, int parts) throws IOException {
+    @CsvSource({
+        "path, 3",
+        "raytracer, 2",
+        "light, 5",
+        "bidirectional, 4",
+        "metropolis -P mutationsPerPixel=8 -P bootstrapSamples=3000 -P twoStage=true, 4"
+    })
+    void mergedPartsAreTheWholeImage(String rendererAndParameters, int parts) throws IOException {
+        List<Object> same = new ArrayList<>(List.of("--renderer"));
+        same.addAll(Arrays.asList(rendererAndParameters.split(" ")));
+        same.addAll(List.of("--layers", "depth,variance"));
         Path whole = folder.resolve("whole.exr");
-        assertDone(render("--renderer", renderer, "--layers", "depth,variance", "-o", whole));
+        assertDone(render(with(same, "-o", whole)));
         List<Object> merge = new ArrayList<>(List.of("merge"));
         for (int i = parts; i >= 1; i--) {
             Path part = folder.resolve(i + ".daybreak");
-            assertDone(render(
-                    "--renderer", renderer, "--layers", "depth,variance", "--part", i + "/" + parts, "-o", part));
+            assertDone(render(with(same, "--part", i + "/" + parts, "-o", part)));
             merge.add(part);
         }
         Path merged = folder.resolve("merged.exr");
@@ -86,7 +100,7 @@ class CheckpointTest {
         assertArrayEquals(
                 ExrReader.read(whole).samples("R"), ExrReader.read(again).samples("R"));
         Path resumed = folder.resolve("resumed.exr");
-        assertDone(render("--renderer", renderer, "--layers", "depth,variance", "--resume", film, "-o", resumed));
+        assertDone(render(with(same, "--resume", film, "-o", resumed)));
         assertArrayEquals(
                 ExrReader.read(whole).samples("R"), ExrReader.read(resumed).samples("R"));
     }

@@ -20,6 +20,11 @@ public interface ChainAlgorithm {
         return List.of();
     }
 
+    /** Whether all chains have the same target, so that differences between them tell how far they are from it. */
+    default boolean hasOneTarget() {
+        return true;
+    }
+
     /**
      * Creates what a thread needs.
      *

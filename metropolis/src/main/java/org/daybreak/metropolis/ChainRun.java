@@ -40,10 +40,10 @@ final class ChainRun {
     /** Part of the time that is left which the candidates may take. */
     private static final double BOOTSTRAP_SHARE = 0.2;
 
-    /** So many mutations per pixel are in later passes; the first ones double, from a fraction of one on. */
-    private static final int LARGEST_PASS = 16;
+    /** Mutations per pixel in the first pass; up to the largest pass, the number at the end of each is double that before. */
+    private static final double FIRST_PASS = 0.25;
 
-    private static final int FIRST_PASSES = 7;
+    private static final int LARGEST_PASS = 16;
 
     /** Chains are divided into so many lanes, if the images of these have no more pixels than that together. */
     private static final int MOST_LANES = 16;
@@ -381,11 +381,8 @@ final class ChainRun {
 
     /** Number of passes that are complete after a number of mutations per pixel: ¼, ½, 1, … 16, 32, 48, … */
     private static long passes(double mutations) {
-        if (mutations >= LARGEST_PASS) {
-            return FIRST_PASSES - 1 + (long) (mutations / LARGEST_PASS);
-        }
-        int done = 0;
-        for (double end = Math.scalb((double) LARGEST_PASS, 1 - FIRST_PASSES); end <= mutations; end *= 2) {
+        long done = (long) (mutations / LARGEST_PASS);
+        for (double end = FIRST_PASS; end < LARGEST_PASS && end <= mutations; end *= 2) {
             done++;
         }
         return done;
@@ -565,6 +562,11 @@ final class ChainRun {
         return rays;
     }
 
+    /** NaN if chains are not comparable. */
+    private double rHat() {
+        return algorithm.hasOneTarget() ? convergence.rHat() : Double.NaN;
+    }
+
     private Map<String, Double> figures() {
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("relativeError", progress.relativeError());
@@ -578,7 +580,7 @@ final class ChainRun {
             figures.put("chains", (double) allChains);
             figures.put("mutationsPerPixel", mutationsPerPixel());
             figures.put("longestRejection", (double) statistics.longestRejection);
-            figures.put("rHat", convergence.rHat());
+            figures.put("rHat", rHat());
             figures.putAll(ChainReports.moveFigures(algorithm.moves(), statistics));
         }
         return figures;
@@ -605,11 +607,7 @@ final class ChainRun {
         }
         if (begun && steps > 0) {
             all.addAll(ChainReports.warnings(
-                    b,
-                    standardError,
-                    convergence.rHat(),
-                    statistics.longestRejection,
-                    (double) steps / (endChain - firstChain)));
+                    b, standardError, rHat(), statistics.longestRejection, (double) steps / (endChain - firstChain)));
         }
         return all;
     }

@@ -2,7 +2,7 @@ package org.daybreak.metropolis;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.daybreak.antialiasing.PixelPermutation;
+import org.daybreak.antialiasing.MetropolisAntiAliaser;
 import org.daybreak.bidirectional.BidirectionalSettings;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.sampling.RandomStream;
@@ -68,8 +68,7 @@ final class MetropolisAlgorithm implements ChainAlgorithm {
     }
 
     private List<MutationStrategy> strategies(Camera camera, long seed, int shortest) {
-        int width = camera.width();
-        long pixels = (long) width * camera.height();
+        double pixels = (double) camera.width() * camera.height();
         PathLimits limits = limits(shortest);
         double jump = Math.max(2 * settings.smallestJump(), Math.sqrt(settings.largestJump() * pixels / Math.PI));
         double angle = Math.max(2 * settings.smallestAngle(), Math.sqrt(settings.largestAngle() * pixels / Math.PI));
@@ -88,7 +87,7 @@ final class MetropolisAlgorithm implements ChainAlgorithm {
                                     array(settings.deleted()),
                                     array(settings.added()),
                                     settings.importanceMutations());
-                        case "lensSubpath" -> new LensSubpathStrat(weight, limits, strata(width, pixels, seed));
+                        case "lensSubpath" -> new LensSubpathStrat(weight, limits, strata(camera, seed));
                         case "lens" -> new LensPerturbationStrat(weight, settings.smallestJump(), jump);
                         case "caustic" -> new CausticPerturbationStrat(weight, settings.smallestAngle(), angle);
                         case "multiChain" ->
@@ -103,13 +102,10 @@ final class MetropolisAlgorithm implements ChainAlgorithm {
     }
 
     /** All chains together propose each pixel once per round, in an order that is another one in each round. */
-    private static FilmStrata strata(int width, long pixels, long seed) {
-        return new FilmStrata(
-                width,
-                number -> PixelPermutation.permute(
-                        number % pixels,
-                        pixels,
-                        new RandomStream(seed, StreamDomain.LENS, number / pixels, 0).nextLong()));
+    private static FilmStrata strata(Camera camera, long seed) {
+        long key = new RandomStream(seed, StreamDomain.LENS, 0, 0).nextLong();
+        MetropolisAntiAliaser pixels = new MetropolisAntiAliaser(camera.width(), camera.height(), key);
+        return new FilmStrata(camera.width(), pixels::pixel);
     }
 
     private PathLimits limits(int shortest) {

@@ -46,6 +46,9 @@ public record MetropolisSettings(
             "Multi-chain perturbation",
             "Manifold perturbation");
 
+    /** Perturbations are cheap and mostly accepted; manifold walks are dear, and apply where others do, too. */
+    private static final List<Double> WEIGHTS = List.of(0.5, 0.5, 1.0, 1.0, 1.0, 0.25);
+
     private static final List<String> DOCS = List.of(
             "replaces a piece of a path by one of any length. Only with it can a chain reach all paths",
             "sends the path through another image point, each pixel in turn",
@@ -63,7 +66,7 @@ public record MetropolisSettings(
             all.add(Parameter.real(
                     STRATEGIES.get(i),
                     LABELS.get(i),
-                    1,
+                    WEIGHTS.get(i),
                     0,
                     1e6,
                     "Mutation strategy that " + DOCS.get(i)

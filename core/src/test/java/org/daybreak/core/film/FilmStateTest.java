@@ -154,6 +154,53 @@ class FilmStateTest {
         assertThrows(IllegalArgumentException.class, () -> new FilmState.Splats(null, List.of(lane, lane), null));
     }
 
+    /** Three lanes of unequal numbers of steps; expectation by hand. */
+    @Test
+    void varianceOfDependentSplatsIsTheScatterOfLanes() {
+        Film film = new Film(new FilmSettings(1, 1, ReconstructionFilter.BOX), Set.of(FilmLayer.VARIANCE));
+        film.useDependentSplats();
+        film.setSplatScale(2, 0.1);
+        double[] sums = {3, 10, 2};
+        long[] paths = {2, 4, 2};
+        for (int lane = 0; lane < 3; lane++) {
+            for (int i = 0; i < paths[lane]; i++) {
+                SplatBuffer buffer = new SplatBuffer();
+                double value = sums[lane] / paths[lane];
+                buffer.add(0.5, 0.5, value, value, value);
+                film.commit(buffer, 1, lane);
+            }
+        }
+        // m = 15/8; Σ(S − m·n)² = 0.75² + 2.5² + 1.75².
+        double scatter = 1.5 * (0.5625 + 6.25 + 3.0625);
+        double expected = (scatter + 0.1 * 0.1 * 15 * 15) * 4 / 64;
+        assertEquals(expected, film.develop().get("variance.G", 0, 0), 1e-6);
+        assertEquals(Math.sqrt(expected) / (2 * 15 / 8.0), film.relativeError(), 1e-12);
+    }
+
+    @Test
+    void dependentSplatsAreMergedAndRestored() {
+        Film whole = film(ReconstructionFilter.GAUSSIAN);
+        Film merged = film(ReconstructionFilter.GAUSSIAN);
+        whole.useDependentSplats();
+        whole.setSplatScale(3, 0.2);
+        for (int part = 0; part < 3; part++) {
+            Film own = film(ReconstructionFilter.GAUSSIAN);
+            own.useDependentSplats();
+            own.setSplatScale(3, 0.2);
+            for (int lane = 2 * part; lane < 2 * part + 2; lane++) {
+                whole.commit(splats(lane), 400 + lane, lane);
+                own.commit(splats(lane), 400 + lane, lane);
+            }
+            merged.merge(own.state(List.of()));
+        }
+        assertSame(whole, merged);
+        Film restored = film(ReconstructionFilter.GAUSSIAN);
+        restored.restore(merged.state(List.of()));
+        restored.commit(splats(9), 10, 1);
+        whole.commit(splats(9), 10, 1);
+        assertSame(whole, restored);
+    }
+
     private static SplatBuffer splats(long seed) {
         SplatBuffer splats = new SplatBuffer();
         SplittableRandom random = new SplittableRandom(seed);

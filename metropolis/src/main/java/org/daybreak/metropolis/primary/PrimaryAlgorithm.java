@@ -23,6 +23,12 @@ record PrimaryAlgorithm(String id, PrimarySettings settings, boolean multiplexed
         return settings.warnings();
     }
 
+    /** {@inheritDoc} A chain of single paths has those of one length. */
+    @Override
+    public boolean hasOneTarget() {
+        return !multiplexed;
+    }
+
     @Override
     public ChainWorker newWorker(Scene scene, Camera camera, long seed, int shortest) {
         return multiplexed

@@ -8,7 +8,7 @@ import org.daybreak.metropolis.StateWriter;
 
 /**
  * The numbers of a state, as a sampler: a point of the infinite-dimensional unit cube of which only the coordinates are known that
- * have been read (Kelemen et al. 2002, §4). A proposal changes all of them; {@link #accept} makes it the state.
+ * have been read (Kelemen et al. 2002). A proposal changes all of them; {@link #accept} makes it the state.
  *
  * <p>A coordinate is changed when it is read. Then it first catches up with the accepted small steps that it has missed, which
  * becomes part of the state whether or not the proposal in hand is accepted; so the state goes the very way that it would go if

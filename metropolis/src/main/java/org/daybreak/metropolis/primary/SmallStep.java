@@ -3,8 +3,8 @@ package org.daybreak.metropolis.primary;
 import org.daybreak.core.render.ParameterException;
 
 /**
- * How a small step changes a number: by ±s₂·(s₁/s₂)^ξ on the circle of circumference 1, ξ uniform in [0,1) (Kelemen et al. 2002,
- * §3). Steps of all sizes between both bounds are equally likely on a logarithmic scale. The law is symmetric, so that uniform
+ * How a small step changes a number: by ±s₂·(s₁/s₂)^ξ on the circle of circumference 1, ξ uniform in [0,1) (Kelemen et
+ * al. 2002). Steps of all sizes between both bounds are equally likely on a logarithmic scale. The law is symmetric, so that uniform
  * numbers stay uniform. Immutable.
  */
 final class SmallStep {

@@ -18,13 +18,18 @@ public final class FilmStrata {
         this.pixels = pixels;
     }
 
-    /** Film position, in pixels, for the number of a proposal and a uniform number. */
-    double x(long stratum, double u) {
-        return pixels.applyAsLong(stratum) % width + u;
+    /** The pixel for the number of a proposal. */
+    long pixel(long stratum) {
+        return pixels.applyAsLong(stratum);
+    }
+
+    /** Film position, in pixels, of a point in a pixel; the number is uniform. */
+    double x(long pixel, double u) {
+        return pixel % width + u;
     }
 
     /** The same downwards. */
-    double y(long stratum, double v) {
-        return Math.floorDiv(pixels.applyAsLong(stratum), width) + v;
+    double y(long pixel, double v) {
+        return Math.floorDiv(pixel, width) + v;
     }
 }

@@ -46,6 +46,8 @@ public final class LensPerturbationStrat extends MutationStrategy {
 
     @Override
     public double transition(LightPath from, LightPath to, Move move, PathBuilder builder) {
-        return LensPiece.density(to, to.length, move.kept + 1);
+        int d = move.kept + 1;
+        double density = LensPiece.density(to, to.length, d);
+        return d == 0 ? density / builder.landings(to) : density;
     }
 }

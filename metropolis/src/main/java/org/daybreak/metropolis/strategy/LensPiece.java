@@ -1,5 +1,6 @@
 package org.daybreak.metropolis.strategy;
 
+import org.daybreak.antialiasing.MetropolisAntiAliaser;
 import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.metropolis.Outcome;
 
@@ -28,7 +29,7 @@ final class LensPiece {
      */
     static boolean perturbFilm(
             LightPath x, LightPath y, double smallest, double largest, PathBuilder builder, RandomStream random) {
-        double r = Tilt.size(smallest, largest, random.nextDouble());
+        double r = MetropolisAntiAliaser.distance(smallest, largest, random.nextDouble());
         double phi = 2 * Math.PI * random.nextDouble();
         double filmX = x.filmX + r * Math.cos(phi);
         double filmY = x.filmY + r * Math.sin(phi);

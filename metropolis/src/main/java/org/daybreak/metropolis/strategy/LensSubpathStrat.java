@@ -51,8 +51,9 @@ public final class LensSubpathStrat extends MutationStrategy {
         int k = walk.length - 1;
         long longest = Math.min(k, limits.maxVertices() - (kept + 1));
         builder.sampleLens(walk, random);
-        double filmX = strata.x(stratum, random.nextDouble());
-        double filmY = strata.y(stratum, random.nextDouble());
+        long pixel = strata.pixel(stratum);
+        double filmX = strata.x(pixel, random.nextDouble());
+        double filmY = strata.y(pixel, random.nextDouble());
         boolean met = builder.look(walk, k, filmX, filmY, random);
         int at = k - 1;
         while (met && builder.chooseLobe(walk, at, random)) {

@@ -160,7 +160,7 @@ public final class PathBuilder {
         y.infinite = light.isInfinite();
         y.deltaLight = light.isDelta();
         y.points[0].set(emitted.point);
-        y.setEnd(0);
+        setLight(y);
         y.dx[0] = emitted.dx;
         y.dy[0] = emitted.dy;
         y.dz[0] = emitted.dz;
@@ -193,7 +193,7 @@ public final class PathBuilder {
         y.infinite = light.isInfinite();
         y.deltaLight = light.isDelta();
         y.points[0].set(incident.point);
-        y.setEnd(0);
+        setLight(y);
         y.dx[0] = -incident.wiX;
         y.dy[0] = -incident.wiY;
         y.dz[0] = -incident.wiZ;
@@ -325,7 +325,8 @@ public final class PathBuilder {
         for (int i = bsdf.deltaLobes() - 1; i >= 0; i--) {
             sum += lobeProbability(y, vertex, bsdf, i);
         }
-        return 1 - sum / y.opacity[vertex];
+        // A hole, at which no walk stops, has neither lobes nor opacity.
+        return sum == 0 ? 1 : 1 - sum / y.opacity[vertex];
     }
 
     private double lobeProbability(LightPath y, int vertex, Bsdf bsdf, int lobe) {
@@ -472,14 +473,19 @@ public final class PathBuilder {
                 setVertex(y, i, eye, j, j < t - 1);
             }
         }
-        y.setEnd(0);
-        y.opacity[0] = y.infinite || y.points[0].shape < 0 ? 1 : opacity(y.points[0]);
+        setLight(y);
         y.setEnd(k);
         if (y.infinite) {
             setFirstEdge(y, found, s, t, sampled);
         }
         for (int i = y.infinite ? 1 : 0; i < k; i++) {
             y.setEdge(i);
+            // Rays start a little above surfaces: where one was traced, it is not quite the line from point to point.
+            if (i + 1 < s) {
+                setDirection(y, i, subpath, i + 1, -1);
+            } else if (i >= s) {
+                setDirection(y, i, eye, k - i, 1);
+            }
         }
         Arrays.fill(y.clear, 0, k, 1);
         if (!measure(y, 0, k)) {
@@ -507,12 +513,26 @@ public final class PathBuilder {
         // The direction back from the vertex at infinity of an eye subpath is that of travel; that of a light subpath's
         // second
         // vertex points to the light.
-        PathValues path = s == 0 ? found.eye() : found.light();
-        int vertex = s == 0 ? t - 1 : 1;
-        double turn = s == 0 ? 1 : -1;
-        y.dx[0] = turn * path.back(vertex, 0);
-        y.dy[0] = turn * path.back(vertex, 1);
-        y.dz[0] = turn * path.back(vertex, 2);
+        if (s == 0) {
+            setDirection(y, 0, found.eye(), t - 1, 1);
+        } else {
+            setDirection(y, 0, found.light(), 1, -1);
+        }
+    }
+
+    /** Sets the direction of an edge from that back from a vertex of a subpath, or the opposite. */
+    private static void setDirection(LightPath y, int edge, PathValues path, int vertex, int sign) {
+        y.dx[edge] = sign * path.back(vertex, 0);
+        y.dy[edge] = sign * path.back(vertex, 1);
+        y.dz[edge] = sign * path.back(vertex, 2);
+    }
+
+    /** Makes x₀ an end of the path, on a light that was sampled: it may have holes, which matters to walks that could meet it. */
+    private void setLight(LightPath y) {
+        y.setEnd(0);
+        if (!y.infinite && y.points[0].shape >= 0) {
+            y.opacity[0] = opacity(y.points[0]);
+        }
     }
 
     private void setVertex(LightPath y, int vertex, PathValues from, int index, boolean inner) {

@@ -1,0 +1,271 @@
+package org.daybreak.metropolis.strategy;
+
+import org.daybreak.core.camera.CameraRay;
+import org.daybreak.core.material.BsdfSample;
+import org.daybreak.core.material.Scattering;
+import org.daybreak.core.material.TransportMode;
+
+/**
+ * The strategies' densities T(x→y), and to which paths they apply, straight from the description of each (Veach 1997, §11.4) for {@link
+ * PlainPath}s. Factors that both directions have in common are left out as the strategies say.
+ *
+ * @param deleted p_d, halved from its last entry on
+ * @param added p_a, alike
+ * @param shortest smallest number of edges
+ * @param longest largest number of edges
+ * @param smallest r₁ in pixels, of film positions and angles
+ * @param largest r₂ in pixels, alike
+ */
+record PlainTransitions(
+        double[] deleted, double[] added, int shortest, int longest, double smallest, double largest) {
+
+    // Which paths
+
+    /** The first vertex from one towards the light that is no delta, 0 for the light. */
+    private static int nextPlain(PlainPath x, int from) {
+        int i = from - 1;
+        while (i > 0 && x.isDelta(i)) {
+            i--;
+        }
+        return i;
+    }
+
+    boolean applies(String strategy, PlainPath x) {
+        int d = nextPlain(x, x.k);
+        return switch (strategy) {
+            case "bidirectional" -> true;
+            case "lens", "lensSubpath" -> d == 0 ? !x.deltaLight : !x.isDelta(d - 1);
+            case "caustic" -> x.k >= 2
+                    && d == x.k - 1
+                    && !x.camera.isParallel()
+                    && (nextPlain(x, d) > 0 || !x.infinite);
+            case "multiChain" -> {
+                if (d == 0 || !x.isDelta(d - 1) || x.camera.isParallel()) {
+                    yield false;
+                }
+                int last = lastOfChains(x);
+                yield last > 0 || !(x.deltaLight || x.infinite);
+            }
+            default -> throw new IllegalArgumentException(strategy);
+        };
+    }
+
+    private static int lastOfChains(PlainPath x) {
+        int d = nextPlain(x, x.k);
+        while (d > 0 && x.isDelta(d - 1)) {
+            d = nextPlain(x, d);
+        }
+        return d;
+    }
+
+    // T
+
+    double transition(String strategy, boolean importance, PlainPath x, PlainPath y, int kept, int oldEnd, int newEnd) {
+        return switch (strategy) {
+            case "bidirectional" -> deletion(x, kept, oldEnd, importance)
+                    * addition(x, kept, oldEnd, newEnd - kept)
+                    * construction(y, kept, newEnd, oldEnd == x.k + 1);
+            case "lensSubpath" -> lensSubpath(y, kept + 1);
+            case "lens" -> lens(y, kept + 1);
+            case "caustic" -> caustic(x, y);
+            case "multiChain" -> multiChain(x, y);
+            default -> throw new IllegalArgumentException(strategy);
+        };
+    }
+
+    private static double entry(double[] table, int i) {
+        return i < table.length ? table[i] : table[table.length - 1] * Math.pow(0.5, i - table.length + 1);
+    }
+
+    /** In how many ways a piece of so many edges can be built, whose vertices from the light are 0, 1, …; 0 if it is not wanted. */
+    private int ways(int k, int kept, int oldEnd, int edges) {
+        int newK = k - (oldEnd - kept) + edges;
+        boolean toLight = kept == -1;
+        boolean toLens = oldEnd == k + 1;
+        if (newK < shortest || newK > longest || newK < 1 || edges < 1 || Math.abs(edges - (oldEnd - kept)) > 8) {
+            return 0;
+        }
+        if (toLight && (oldEnd == 0 || edges == 1)) {
+            // The light would stay, or the piece ends before it.
+            return 0;
+        }
+        if (newK == 1) {
+            return toLight ? 1 : 0;
+        }
+        int newVertices = edges - 1;
+        int mostFromLight = newVertices - (toLens ? 1 : 0);
+        if (mostFromLight < 0) {
+            return 0;
+        }
+        return kept == 0 ? 1 : mostFromLight + 1;
+    }
+
+    private double lengths(int k, int kept, int oldEnd) {
+        double sum = 0;
+        for (int edges = 1; edges <= k + 20; edges++) {
+            if (ways(k, kept, oldEnd, edges) > 0) {
+                sum += entry(added, Math.abs(edges - (oldEnd - kept)));
+            }
+        }
+        return sum;
+    }
+
+    private double addition(PlainPath x, int kept, int oldEnd, int edges) {
+        return ways(x.k, kept, oldEnd, edges) == 0
+                ? 0
+                : entry(added, Math.abs(edges - (oldEnd - kept))) / lengths(x.k, kept, oldEnd);
+    }
+
+    private double deletion(PlainPath x, int kept, int oldEnd, boolean importance) {
+        double plainSum = 0;
+        double importantSum = 0;
+        double plain = 0;
+        double important = 0;
+        for (int l = -1; l < x.k; l++) {
+            for (int m = l + 1; m <= x.k + 1; m++) {
+                if (lengths(x.k, l, m) == 0) {
+                    continue;
+                }
+                double p = entry(deleted, m - l - 1);
+                double techniques = 0;
+                for (int s = l + 1; s <= m && s <= x.k; s++) {
+                    techniques += way(x, -1, x.k + 1, s);
+                }
+                plainSum += p;
+                importantSum += p * techniques;
+                if (l == kept && m == oldEnd) {
+                    plain = p;
+                    important = p * techniques;
+                }
+            }
+        }
+        return importance && importantSum > 0
+                ? 0.5 * plain / plainSum + 0.5 * important / importantSum
+                : plain / plainSum;
+    }
+
+    private double construction(PlainPath y, int kept, int newEnd, boolean toLens) {
+        int ways = ways(y.k, kept, newEnd, newEnd - kept);
+        double sum = 0;
+        for (int l = 0; l < ways; l++) {
+            sum += way(y, kept, newEnd, l);
+        }
+        return ways == 0 ? 0 : sum / ways;
+    }
+
+    /** Density of the vertices between two when so many come from the light's side and the others from the side of the lens. */
+    private static double way(PlainPath y, int kept, int newEnd, int fromLight) {
+        int joint = kept + fromLight;
+        if (joint >= 0 && (y.isDelta(joint) || y.isDelta(joint + 1))) {
+            return 0;
+        }
+        double density = 1;
+        if (kept == -1 && fromLight == 1) {
+            density *= y.nextEvent;
+        } else {
+            for (int i = kept + 1; i <= joint; i++) {
+                density *= y.fromLight[i] * (i > 0 ? y.clear[i - 1] * y.opacity[i] : 1);
+            }
+        }
+        for (int i = newEnd - 1; i > joint; i--) {
+            density *= y.fromEye[i] * (i < y.k ? y.clear[i] * y.opacity[i] : 1);
+        }
+        return joint < 0 ? density * landing(y) : density;
+    }
+
+    /** With which probability a walk that leaves the scene takes the environment of a path, if several lights are everywhere. */
+    private static double landing(PlainPath y) {
+        return y.infinite ? 1.0 / y.scene.environmentCount() : 1;
+    }
+
+    private static double lens(PlainPath y, int d) {
+        double density = d == 0 ? landing(y) : 1;
+        for (int i = y.k - 1; i >= d; i--) {
+            density *= y.fromEyeByLobe[i] * y.clear[i] * y.opacity[i];
+        }
+        return density;
+    }
+
+    private static double lensSubpath(PlainPath y, int d) {
+        double density = d == 0 ? landing(y) : 1;
+        for (int i = y.k - 1; i >= d; i--) {
+            density *= y.fromEye[i] * y.clear[i] * y.opacity[i];
+        }
+        if (d == 0 && y.infinite) {
+            return density;
+        }
+        double goesOn = 0;
+        BsdfSample lobe = new BsdfSample();
+        for (int i = 0; i < y.bsdf(d).deltaLobes(); i++) {
+            double[] e = y.edges[d];
+            if (Scattering.deltaLobe(
+                    y.bsdf(d), y.points[d], e[0], e[1], e[2], i, TransportMode.RADIANCE, lobe)) {
+                goesOn += lobe.density / y.opacity[d];
+            }
+        }
+        return density * (1 - goesOn);
+    }
+
+    /** Pixels per radian at the lens, where the path leaves it. */
+    private static double pixelsPerRadian(PlainPath x) {
+        double[] d = x.edges[x.k - 1];
+        CameraRay ray = new CameraRay();
+        x.camera.rayDensity(x.points[x.k].x, x.points[x.k].y, x.points[x.k].z, -d[0], -d[1], -d[2], ray);
+        return Math.sqrt(ray.densityDirection * x.camera.width() * x.camera.height());
+    }
+
+    /**
+     * Density per solid angle of a tilt: the angle's logarithm is uniform between those of the bounds, and its azimuth is (Veach 1997,
+     * eq. 11.9).
+     */
+    private double tilt(double[] from, double[] to, double radiansPerPixel) {
+        double cosine = from[0] * to[0] + from[1] * to[1] + from[2] * to[2];
+        double x = to[0] - from[0];
+        double y = to[1] - from[1];
+        double z = to[2] - from[2];
+        double chord = Math.sqrt(x * x + y * y + z * z);
+        double theta = cosine > 0 ? 2 * Math.asin(0.5 * chord) : Math.acos(cosine);
+        double low = smallest * radiansPerPixel;
+        double high = Math.min(0.5 * Math.PI, largest * radiansPerPixel);
+        if (theta < low || theta > high) {
+            return 0;
+        }
+        return 1 / (theta * (Math.log(high) - Math.log(low))) / (2 * Math.PI * Math.sin(theta));
+    }
+
+    private static double length(PlainPath x, int from, int to) {
+        double sum = 0;
+        for (int i = from; i < to; i++) {
+            sum += Math.sqrt(x.squares[i]);
+        }
+        return sum;
+    }
+
+    private double caustic(PlainPath x, PlainPath y) {
+        int start = nextPlain(x, x.k - 1);
+        double scale = length(x, x.k - 1, x.k) / length(x, start, x.k - 1) / pixelsPerRadian(x);
+        double density = tilt(x.edges[start], y.edges[start], scale) * y.perVertex(start + 1, start);
+        density *= y.clear[start] * y.opacity[start + 1];
+        for (int i = start + 2; i < y.k; i++) {
+            density *= y.fromLightByLobe[i] * y.clear[i - 1] * y.opacity[i];
+        }
+        return density;
+    }
+
+    private double multiChain(PlainPath x, PlainPath y) {
+        int d = nextPlain(x, x.k);
+        double density = lens(y, d);
+        int last = lastOfChains(x);
+        while (d > last) {
+            int next = nextPlain(x, d);
+            double scale = length(x, d, x.k) / length(x, next, d) / pixelsPerRadian(x);
+            density *= tilt(x.edges[d - 1], y.edges[d - 1], scale) * y.perVertex(d - 1, d - 1);
+            density *= y.clear[d - 1] * y.opacity[d - 1];
+            for (int i = d - 2; i >= next; i--) {
+                density *= y.fromEyeByLobe[i] * y.clear[i] * y.opacity[i];
+            }
+            d = next;
+        }
+        return density;
+    }
+}
