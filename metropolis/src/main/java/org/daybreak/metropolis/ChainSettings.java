@@ -23,6 +23,9 @@ public record ChainSettings(
         boolean twoStage,
         int reduction,
         int bootstrapSamples) {
+    /** Name of the parameter that stands for the samples per pixel of other renderers. */
+    public static final String MUTATIONS_PER_PIXEL = "mutationsPerPixel";
+
     private static final int LEAST_CANDIDATES = 100_000;
     private static final int MOST_CANDIDATES = 20_000_000;
     private static final int STEPS_PER_CANDIDATE = 8;
@@ -38,14 +41,15 @@ public record ChainSettings(
                     "Number of Markov chains. Many short ones scatter over all that the start has found; few long ones"
                             + " depend less on it. Does not change the mean."),
             Parameter.integer(
-                    "mutationsPerPixel",
+                    MUTATIONS_PER_PIXEL,
                     "Count of mutations per pixel",
                     100,
                     1,
                     Integer.MAX_VALUE,
                     "Steps of all chains together, per pixel of the whole film: dark pixels get fewer, bright ones more."
-                            + " Takes the place of the samples per pixel of other renderers; a render that ends by time"
-                            + " or error alone reports it instead."),
+                            + " Takes the place of the samples per pixel of other renderers: where it is not given, samples"
+                            + " per pixel that the command line or the scene asks for set it. A render that ends by time or"
+                            + " error alone reports it instead."),
             Parameter.flag(
                     "separateDirect",
                     "Direct lighting apart",
@@ -88,7 +92,7 @@ public record ChainSettings(
     public static ChainSettings of(ParameterValues values) {
         return new ChainSettings(
                 values.integer("seedPaths"),
-                values.integer("mutationsPerPixel"),
+                values.integer(MUTATIONS_PER_PIXEL),
                 values.flag("separateDirect"),
                 values.integer("directSamples"),
                 values.flag("twoStage"),

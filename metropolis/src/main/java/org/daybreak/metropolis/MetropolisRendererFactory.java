@@ -1,6 +1,7 @@
 package org.daybreak.metropolis;
 
 import java.util.List;
+import java.util.Optional;
 import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.render.Renderer;
@@ -24,6 +25,11 @@ public final class MetropolisRendererFactory implements RendererFactory {
     @Override
     public List<Parameter> parameters() {
         return MetropolisSettings.PARAMETERS;
+    }
+
+    @Override
+    public Optional<String> samplesParameter() {
+        return Optional.of(ChainSettings.MUTATIONS_PER_PIXEL);
     }
 
     @Override

@@ -2,6 +2,7 @@ package org.daybreak.metropolis.primary;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.render.Renderer;
@@ -29,6 +30,11 @@ abstract class PrimaryRendererFactory implements RendererFactory {
         List<Parameter> all = new ArrayList<>(ChainSettings.PARAMETERS);
         all.addAll(PrimarySettings.PARAMETERS);
         return List.copyOf(all);
+    }
+
+    @Override
+    public final Optional<String> samplesParameter() {
+        return Optional.of(ChainSettings.MUTATIONS_PER_PIXEL);
     }
 
     @Override
