@@ -73,7 +73,8 @@ final class PathRebuilder {
         CameraRay ray = new CameraRay();
         SurfacePoint lens = path.points[k];
         double[] last = path.edges[k - 1];
-        assertTrue(path.camera.rayDensity(lens.x, lens.y, lens.z, -last[0], -last[1], -last[2], ray), "x_{k-1} is seen");
+        assertTrue(
+                path.camera.rayDensity(lens.x, lens.y, lens.z, -last[0], -last[1], -last[2], ray), "x_{k-1} is seen");
         lensHits = lensHitsCount && path.camera.hasLensArea();
         fromEye[k] = lensHits ? ray.densityPosition : 1;
         fromLight[k] = lensHits ? onLens() : 0;

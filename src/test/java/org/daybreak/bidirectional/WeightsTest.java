@@ -122,7 +122,15 @@ class WeightsTest {
         private final SplittableRandom random;
         private int checked;
 
-        Check(String name, Scene scene, boolean allLights, boolean lensHits, int splitting, double exponent, int wanted, long seed) {
+        Check(
+                String name,
+                Scene scene,
+                boolean allLights,
+                boolean lensHits,
+                int splitting,
+                double exponent,
+                int wanted,
+                long seed) {
             this.name = name;
             this.scene = scene;
             this.camera = scene.camera();
@@ -200,8 +208,7 @@ class WeightsTest {
         /** Checks the weights of all techniques under some settings, and returns them. */
         private double[] checkWeights(PathRebuilder rebuilder, BidirectionalSettings settings, int k) {
             double beta = settings.heuristicExponent();
-            ComplementTracer complement =
-                    new ComplementTracer(scene, lights, settings.limits(camera), beta, splitting);
+            ComplementTracer complement = new ComplementTracer(scene, lights, settings.limits(camera), beta, splitting);
             double[] logs = new double[k + 2];
             double largest = Double.NEGATIVE_INFINITY;
             for (int s = 0; s <= k + 1; s++) {

@@ -37,6 +37,7 @@ import org.daybreak.core.scene.SceneGraph;
 import org.daybreak.core.scene.ShapeNode;
 import org.daybreak.core.testing.Moments;
 import org.daybreak.core.testing.ZTest;
+import org.daybreak.metropolis.chains.ChainStatistics;
 import org.daybreak.metropolis.strategy.LightPath;
 import org.daybreak.metropolis.strategy.ManifoldPerturbationStrat;
 import org.daybreak.metropolis.strategy.MutationStrategy;

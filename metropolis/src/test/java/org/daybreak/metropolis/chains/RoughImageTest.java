@@ -1,4 +1,4 @@
-package org.daybreak.metropolis;
+package org.daybreak.metropolis.chains;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;

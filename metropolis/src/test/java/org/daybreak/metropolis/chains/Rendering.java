@@ -1,4 +1,4 @@
-package org.daybreak.metropolis;
+package org.daybreak.metropolis.chains;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -24,14 +24,14 @@ import org.daybreak.core.scene.SceneCompiler;
 import org.daybreak.core.scene.SceneGraph;
 
 /** What tests of renders by chains have in common. */
-final class Rendering {
-    static final int WIDTH = 24;
-    static final int HEIGHT = 16;
+public final class Rendering {
+    public static final int WIDTH = 24;
+    public static final int HEIGHT = 16;
 
     private Rendering() {}
 
     /** Takes each state that it can get. */
-    static final class Collector implements CheckpointSink {
+    public static final class Collector implements CheckpointSink {
         final List<RenderState> states = new ArrayList<>();
 
         @Override
@@ -50,7 +50,7 @@ final class Rendering {
     }
 
     /** A sky of radiance (1, 2, 3) and nothing else: all its paths have one edge. */
-    static Scene sky(int width, int height) {
+    public static Scene sky(int width, int height) {
         SceneGraph graph = new SceneGraph();
         graph.root().add(new LightNode(new LightSource.ConstantEnvironment(new Color3f(1, 2, 3))));
         graph.setCamera(
@@ -59,25 +59,25 @@ final class Rendering {
         return SceneCompiler.compile(graph, new SceneCompiler.Options(1, null));
     }
 
-    static Film film(int width, int height) {
+    public static Film film(int width, int height) {
         return new Film(new FilmSettings(width, height, ReconstructionFilter.BOX), Set.of(FilmLayer.VARIANCE));
     }
 
-    static RenderContext context(long seed, int threads, RenderBudget budget) {
+    public static RenderContext context(long seed, int threads, RenderBudget budget) {
         return new RenderContext(
                 seed, threads, budget, new SobolSampling(), new CancellationToken(), RenderListener.NONE);
     }
 
     /** A render to its end. */
-    static RenderContext context(long seed, int threads) {
+    public static RenderContext context(long seed, int threads) {
         return context(seed, threads, RenderBudget.samples(1));
     }
 
-    static ChainSettings settings(int chains, int mutations, boolean twoStage) {
+    public static ChainSettings settings(int chains, int mutations, boolean twoStage) {
         return new ChainSettings(chains, mutations, false, 2, twoStage, 3, 1000);
     }
 
-    static ChainRenderer toy(ChainSettings settings) {
+    public static ChainRenderer toy(ChainSettings settings) {
         return new ChainRenderer(new ToyAlgorithm(), settings, -1, -1);
     }
 }

@@ -1,4 +1,4 @@
-package org.daybreak.metropolis;
+package org.daybreak.metropolis.chains;
 
 /**
  * Divides steps among chains and rounds. Each chain takes the same number of steps, up to one; in each round each chain takes the

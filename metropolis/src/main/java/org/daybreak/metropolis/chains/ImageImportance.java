@@ -1,4 +1,4 @@
-package org.daybreak.metropolis;
+package org.daybreak.metropolis.chains;
 
 /**
  * A factor on the target of the chains that depends on the film position: one over a rough image, so that chains visit all of

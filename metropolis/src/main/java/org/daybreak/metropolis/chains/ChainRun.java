@@ -1,4 +1,4 @@
-package org.daybreak.metropolis;
+package org.daybreak.metropolis.chains;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -612,7 +612,8 @@ final class ChainRun {
                     standardError,
                     rHat(),
                     convergence.regionError(),
-                    statistics.longestRejection, (double) steps / (endChain - firstChain)));
+                    statistics.longestRejection,
+                    (double) steps / (endChain - firstChain)));
         }
         return all;
     }

@@ -1,4 +1,4 @@
-package org.daybreak.metropolis;
+package org.daybreak.metropolis.chains;
 
 import org.daybreak.core.film.SplatBuffer;
 import org.daybreak.core.scene.RayKind;

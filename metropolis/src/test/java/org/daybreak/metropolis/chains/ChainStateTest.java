@@ -1,4 +1,4 @@
-package org.daybreak.metropolis;
+package org.daybreak.metropolis.chains;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -26,7 +26,7 @@ import org.daybreak.core.render.RenderPart;
 import org.daybreak.core.render.RenderReport;
 import org.daybreak.core.render.RenderState;
 import org.daybreak.core.scene.Scene;
-import org.daybreak.metropolis.Rendering.Collector;
+import org.daybreak.metropolis.chains.Rendering.Collector;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -1,4 +1,4 @@
-package org.daybreak.metropolis;
+package org.daybreak.metropolis.chains;
 
 import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.StreamDomain;
