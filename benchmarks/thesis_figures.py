@@ -21,6 +21,7 @@ Usage: benchmarks/thesis_figures.py [--figures pt-bpt|mlt] [--seconds S] [--muta
 """
 
 import argparse
+import glob
 import json
 import os
 import subprocess
@@ -168,9 +169,10 @@ def main():
     parser.add_argument("--folder", default="figures")
     arguments = parser.parse_args()
     known = FIGURES[arguments.figures]
+    shipped = [os.path.basename(os.path.dirname(file)) for file in glob.glob(os.path.join(ROOT, "scenes", "*", "scene.xml"))]
     for name in arguments.scenes:
-        if name not in known:
-            parser.error(f"there is no scene '{name}' in these figures: {', '.join(known)}")
+        if name not in [*known, *shipped]:
+            parser.error(f"there is no scene '{name}'; those of the figures are {', '.join(known)}")
     if arguments.runs < 2:
         parser.error("a variance needs 2 runs at least")
     os.makedirs(arguments.folder, exist_ok=True)
