@@ -612,7 +612,8 @@ final class ChainRun {
                     standardError,
                     rHat(),
                     convergence.regionError(),
-                    statistics.longestRejection, (double) steps / (endChain - firstChain)));
+                    statistics.longestRejection,
+                    (double) steps / (endChain - firstChain)));
         }
         return all;
     }
