@@ -326,7 +326,7 @@ final class ChainRun {
 
                 @Override
                 void commit(Unit unit) {
-                    image.add(unit.splats);
+                    image.add(unit.splats, unit.steps);
                     addNonFinite(unit, seed);
                 }
 
@@ -337,7 +337,7 @@ final class ChainRun {
             }.run(workers.count());
         }
         endPhase("start");
-        return image.importance();
+        return image.importance(count);
     }
 
     private StartDistribution bootstrap(ChainWorkers workers, long seed, int count, double share) {

@@ -6,11 +6,18 @@ import org.daybreak.core.film.SplatBuffer;
 /** The image of the first of two stages: the luminance in square cells of the film (thesis eq. 5.5; Veach 1997, §11.5). */
 final class RoughImage {
     /**
-     * Smallest luminance of a cell, as a part of the mean. Cells in which the first stage found next to nothing may still hold some
-     * light: with this floor their steps are at most 20 times as dense as without the image, however little was found.
-     * And no cell darker than that takes away from others what their brightness asks for.
+     * Smallest luminance of a cell, as a part of the mean: with it steps are nowhere more than 20 times as dense as without the image.
      */
     private static final double FLOOR = 0.05;
+
+    /**
+     * The floor is raised to the luminance of cells that so many independent samples are expected in. Below, what is found is chance:
+     * many cells would be taken for black that are not, and would get most of the steps.
+     */
+    private static final double SAMPLES_OF_FLOOR = 2;
+
+    /** A guess at after how many steps a chain has forgotten where it was; the mean of the image does not depend on it. */
+    private static final double STEPS_OF_SAMPLE = 100;
 
     private final int width;
     private final int height;
@@ -18,6 +25,7 @@ final class RoughImage {
     private final int columns;
     private final int rows;
     private final double[] sums;
+    private long steps;
 
     /** Creates a black image with cells of a number of pixels in each direction. */
     RoughImage(FilmSettings film, int cell) {
@@ -29,8 +37,9 @@ final class RoughImage {
         sums = new double[Math.multiplyExact(columns, rows)];
     }
 
-    /** Adds splats; they lie on the film. */
-    void add(SplatBuffer splats) {
+    /** Adds the splats of steps; they lie on the film. */
+    void add(SplatBuffer splats, long taken) {
+        steps += taken;
         for (int i = 0; i < splats.size(); i++) {
             int x = Math.min(columns - 1, Math.max(0, (int) (splats.filmX(i) / cell)));
             int y = Math.min(rows - 1, Math.max(0, (int) (splats.filmY(i) / cell)));
@@ -41,8 +50,10 @@ final class RoughImage {
     /**
      * One over the image, in units of its mean: the brightness b of the second stage is then about that of the first. 1
      * everywhere if the image is black.
+     *
+     * @param chains how many chains have made the image
      */
-    ImageImportance importance() {
+    ImageImportance importance(int chains) {
         double total = 0;
         for (double sum : sums) {
             total += sum;
@@ -51,12 +62,14 @@ final class RoughImage {
             return ImageImportance.UNIFORM;
         }
         double mean = total / ((double) width * height);
+        double samples = Math.max(chains, steps / STEPS_OF_SAMPLE);
+        double floor = Math.max(FLOOR, Math.min(1, SAMPLES_OF_FLOOR * sums.length / samples));
         double[] factors = new double[sums.length];
         for (int y = 0; y < rows; y++) {
             for (int x = 0; x < columns; x++) {
                 double area = (double) Math.min(cell, width - x * cell) * Math.min(cell, height - y * cell);
                 double luminance = sums[y * columns + x] / area / mean;
-                factors[y * columns + x] = 1 / Math.max(FLOOR, luminance);
+                factors[y * columns + x] = 1 / Math.max(floor, luminance);
             }
         }
         return new ImageImportance(columns, rows, cell, factors);

@@ -20,8 +20,8 @@ class RoughImageTest {
         splats.add(9.9, 5.9, 12, 12, 12);
         splats.add(8, 4, 12, 12, 12);
         splats.add(5, 5, 8 / 25.0, 8 / 25.0, 8 / 25.0);
-        image.add(splats);
-        ImageImportance importance = image.importance();
+        image.add(splats, 100);
+        ImageImportance importance = image.importance(1000);
         double mean = (16 + 24 + 8 / 25.0) / 60;
         assertEquals(mean, importance.at(3.99, 3.99), 1e-12);
         assertEquals(mean / 6, importance.at(8, 4), 1e-12);
@@ -34,8 +34,30 @@ class RoughImageTest {
 
     @Test
     void isOneWithoutLight() {
-        assertSame(ImageImportance.UNIFORM, new RoughImage(FILM, 4).importance());
+        assertSame(ImageImportance.UNIFORM, new RoughImage(FILM, 4).importance(1000));
         assertEquals(1, ImageImportance.UNIFORM.at(1e9, -5));
+    }
+
+    /** Six cells. */
+    @Test
+    void theFloorRisesWhereLittleIsKnown() {
+        for (int chains : new int[] {24, 48}) {
+            RoughImage image = new RoughImage(FILM, 4);
+            SplatBuffer splats = new SplatBuffer();
+            splats.add(1, 1, 16, 16, 16);
+            image.add(splats, 2400);
+            assertEquals(chains == 24 ? 2 : 4, image.importance(chains).at(9, 5), 1e-12);
+            assertEquals(1, image.importance(1).at(9, 5) / 2, 1e-12);
+        }
+        assertEquals(1, oneStep().importance(1).at(9, 5), 1e-12);
+    }
+
+    private static RoughImage oneStep() {
+        RoughImage image = new RoughImage(FILM, 4);
+        SplatBuffer splats = new SplatBuffer();
+        splats.add(1, 1, 1, 1, 1);
+        image.add(splats, 1);
+        return image;
     }
 
     @Test
@@ -43,8 +65,8 @@ class RoughImageTest {
         RoughImage image = new RoughImage(FILM, 4);
         SplatBuffer splats = new SplatBuffer();
         splats.add(1, 1, 16, 16, 16);
-        image.add(splats);
-        ImageImportance importance = image.importance();
+        image.add(splats, 100);
+        ImageImportance importance = image.importance(1000);
         StateWriter out = new StateWriter();
         importance.save(out);
         ImageImportance same = ImageImportance.load(new StateReader(out.toArray()));
