@@ -2,7 +2,7 @@ package org.daybreak.metropolis.strategy;
 
 import org.daybreak.core.math.Densities;
 import org.daybreak.core.sampling.RandomStream;
-import org.daybreak.metropolis.Outcome;
+import org.daybreak.metropolis.chains.Outcome;
 
 /**
  * Changes a path between three vertices a, b, c that follow each other but for delta lobes between them (Jakob and Marschner 2012): tilts
