@@ -37,6 +37,12 @@ public final class SpecularManifold {
      */
     private static final double SAME = 1e-3;
 
+    /**
+     * What may be added to that, as a multiple of how far rays start off the surfaces of the chain: one that was traced from the other
+     * end differs by this at slanting angles, which matters in narrow corners of large triangles.
+     */
+    private static final double SLACK = 10;
+
     private final Scene scene;
     private final RayCaster caster;
     private final ManifoldTangents tangents = new ManifoldTangents();
@@ -286,11 +292,15 @@ public final class SpecularManifold {
 
     private static boolean isSame(SpecularChain a, SpecularChain b) {
         int n = a.length();
+        double slack = a.start.point.offset;
+        for (int i = 0; i < n; i++) {
+            slack += a.points[i].offset;
+        }
         for (int i = 0; i < n; i++) {
             SurfacePoint here = a.points[i];
             double before = distance(here, i > 0 ? a.points[i - 1] : a.start.point);
             double after = distance(here, i + 1 < n ? a.points[i + 1] : a.end.point);
-            if (!(distance(here, b.points[i]) <= SAME * Math.min(before, after))) {
+            if (!(distance(here, b.points[i]) <= SAME * Math.min(before, after) + SLACK * slack)) {
                 return false;
             }
         }
