@@ -15,7 +15,6 @@ import org.daybreak.core.render.RenderReport;
 import org.daybreak.core.render.Renderer;
 import org.daybreak.core.render.RendererFactory;
 import org.daybreak.core.scene.Scene;
-import org.daybreak.core.testing.Moments;
 import org.daybreak.core.testing.ZTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

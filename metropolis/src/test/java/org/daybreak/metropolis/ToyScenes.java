@@ -70,9 +70,7 @@ final class ToyScenes {
                 "masked lamp",
                 new Toy(1, s -> s.hall().maskedLamp().balls(plastic()).look(0)));
         SCENES.put("thin lens", new Toy(3, s -> s.hall().lamp().glassAndMirror().look(0.1)));
-        SCENES.put(
-                "parallel rays",
-                new Toy(1, s -> s.skies().glassAndMirror().parallel()));
+        SCENES.put("parallel rays", new Toy(1, s -> s.skies().glassAndMirror().parallel()));
         SCENES.put("shading normals", new Toy(3, s -> s.hall().lamp().facets().look(0)));
         SCENES.put("normal maps", new Toy(3, s -> s.hall().lamp().normalMaps().look(0)));
     }
