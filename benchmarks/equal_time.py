@@ -1,13 +1,17 @@
 #!/usr/bin/env python3
-"""Equal-time comparison of `daybreak render --renderer path` with Mitsuba 3's `path`.
+"""Equal-time comparison of `daybreak render --renderer path`, or another renderer, with Mitsuba 3's `path`.
 
 Renders each show scene for the same wall time with both (scene loading and kernel or class compilation of Mitsuba left
-out; ours counts from the compiled scene on and includes the warm-up of the virtual machine) and prints the ratio of
+out; ours counts from the compiled scene on and includes the warm-up of the virtual machine; with renderers by Markov chains also
+direct lighting and the start, and their samples per pixel are mutations) and prints the ratio of
 efficiencies 1/(error * seconds) against the reference images of src/test/resources/reference, for two errors:
   relMSE = mean((x - ref)^2 / (ref^2 + 0.01)) and MSE = mean((x - ref)^2), each less the reference's own variance.
 
+Of `metropolis`, `pssmlt` and `mmlt` it also prints the ratio to what Mitsuba 0.6's `mlt` and `pssmlt` reach in the same measure.
+
 Needs: python 3, `pip install mitsuba==3.9.1 OpenEXR==3.5.3 numpy`, and LLVM 19 for `llvm_ad_rgb` (Debian: libllvm19).
-Usage: benchmarks/equal_time.py [--seconds 10] [--runs 3] [--threads 2] [--variants llvm_ad_rgb,scalar_rgb] [SCENE ...]
+Usage: benchmarks/equal_time.py [--seconds 10] [--runs 3] [--threads 2] [--variants llvm_ad_rgb,scalar_rgb]
+       [--renderer path] [--option OPTION ...] [SCENE ...]
 """
 
 import argparse
@@ -24,6 +28,18 @@ import OpenEXR
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SCENES = ["cornell_spheres", "gold_ring", "veach_room", "door_ajar"]
+CHAINS = ["metropolis", "pssmlt", "mmlt"]
+
+# Efficiency of Mitsuba 0.6's `mlt` (bidirectional mutation and manifold perturbation) and `pssmlt` over that of Mitsuba 3.9.1's `path`,
+# llvm_ad_rgb, by relMSE and by MSE: 2 threads, one run of 10 to 15 s each, as measured with the reference images. Where
+# fireflies rule (gold_ring) another run may be off by a factor of 2.
+PEERS = {
+    "cornell_spheres": {"mlt": (0.33, 0.09), "pssmlt": (0.63, 0.17)},
+    "gold_ring": {"mlt": (2.6, 0.05), "pssmlt": (1.0, 0.04)},
+    "veach_room": {"mlt": (13.1, 1.8), "pssmlt": (11.4, 1.7)},
+    "door_ajar": {"mlt": (5.0, 4.1), "pssmlt": (0.99, 1.1)},
+}
+PEERS_VARIANT = "llvm_ad_rgb"
 
 
 def read_rgb(path):
@@ -107,21 +123,27 @@ def main():
             image, seconds, report = run_daybreak(
                 scene_file, arguments.seconds, arguments.threads, run + 1, arguments.renderer, arguments.option)
             rel, mse = errors(image, reference, variance)
-            pixels = image.shape[0] * image.shape[1]
-            print(f"{name:18} {'daybreak':14} {report['samples'] / pixels:8.1f} {seconds:8.2f} {rel:11.4e} {mse:11.4e}", flush=True)
+            spp = report["figures"].get("mutationsPerPixel", report["samples"] / (image.shape[0] * image.shape[1]))
+            print(f"{name:18} {arguments.renderer:14} {spp:8.1f} {seconds:8.2f} {rel:11.4e} {mse:11.4e}", flush=True)
             for variant in variants:
-                other, other_seconds, spp = run_mitsuba(scene_file, variant, arguments.seconds, arguments.threads, run + 1)
+                other, other_seconds, other_spp = run_mitsuba(scene_file, variant, arguments.seconds, arguments.threads, run + 1)
                 other_rel, other_mse = errors(other, reference, variance)
                 ratios[variant][0].append(other_rel * other_seconds / (rel * seconds))
                 ratios[variant][1].append(other_mse * other_seconds / (mse * seconds))
                 print(
-                    f"{name:18} {variant:14} {spp:8.1f} {other_seconds:8.2f} {other_rel:11.4e} {other_mse:11.4e}"
+                    f"{name:18} {variant:14} {other_spp:8.1f} {other_seconds:8.2f} {other_rel:11.4e} {other_mse:11.4e}"
                     f"   {ratios[variant][0][-1]:30.2f} {ratios[variant][1][-1]:6.2f}",
                     flush=True,
                 )
         for variant in variants:
             rel, mse = (statistics.median(x) for x in ratios[variant])
             print(f"{name:18} median of {arguments.runs} against {variant}: {rel:.2f} by relMSE, {mse:.2f} by MSE", flush=True)
+            if arguments.renderer in CHAINS and variant == PEERS_VARIANT:
+                for peer, (peer_rel, peer_mse) in PEERS.get(name, {}).items():
+                    print(
+                        f"{name:18} over Mitsuba 0.6 {peer}: {rel / peer_rel:.2f} by relMSE, {mse / peer_mse:.2f} by MSE",
+                        flush=True,
+                    )
 
 
 if __name__ == "__main__":

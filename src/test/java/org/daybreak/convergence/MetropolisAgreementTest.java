@@ -108,8 +108,8 @@ class MetropolisAgreementTest {
 
     static Stream<Arguments> allOtherScenes() {
         return scenes().keySet().stream()
-                .flatMap(name -> Stream.of("", "separateDirect=false")
-                        .map(settings -> Arguments.of(name, settings, 200, 0.1)));
+                .flatMap(name ->
+                        Stream.of("", "separateDirect=false").map(settings -> Arguments.of(name, settings, 200, 0.1)));
     }
 
     /**
@@ -121,8 +121,7 @@ class MetropolisAgreementTest {
      */
     @ParameterizedTest
     @MethodSource("fewRows")
-    void agreesWithBidirectional(String name, String settings, int mutations, double detectable)
-            throws SceneException {
+    void agreesWithBidirectional(String name, String settings, int mutations, double detectable) throws SceneException {
         check(name, "seedPaths=100 bootstrapSamples=4000 " + settings, mutations, 32, detectable);
     }
 
@@ -134,8 +133,7 @@ class MetropolisAgreementTest {
         check(name, "seedPaths=200 bootstrapSamples=20000 " + settings, mutations, 128, detectable);
     }
 
-    private static void check(
-            String name, String settings, int mutations, int samplesPerPixel, double detectable)
+    private static void check(String name, String settings, int mutations, int samplesPerPixel, double detectable)
             throws SceneException {
         Scene scene = scene(name);
         Map<String, String> parameters = parse(settings);

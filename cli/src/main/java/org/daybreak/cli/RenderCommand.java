@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalLong;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
@@ -75,7 +76,11 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--spp",
             paramLabel = "N",
-            description = "Samples per pixel; default: the scene's, else 64; unlimited with --time or --target-error.")
+            description = {
+                "Samples per pixel; mutations of Markov chains.",
+                "Default: the scene's, else 64 (chains: 100);",
+                "unlimited with --time or --target-error."
+            })
     private @Nullable Long samplesPerPixel;
 
     @Option(
@@ -169,15 +174,15 @@ final class RenderCommand implements Callable<Integer> {
         RenderSettingsRequest request = file.request();
         FilmSettings film = RendererChoice.film(scene, file, size, crop);
         file.graph().setFilm(film);
-        RendererChoice choice = RendererChoice.of(renderer, parameters, scene, request);
+        RenderBudget budget = request.samplesPerPixel().isPresent()
+                ? budget(request.samplesPerPixel().getAsInt())
+                : given;
+        RendererChoice choice = RendererChoice.of(renderer, parameters, scene, request, samplesAskedFor(request));
         RendererFactory factory = choice.factory();
         ParameterValues values = choice.values();
         List<SheetFolder> folders = SheetFolder.of(factory, values);
         SheetFolder.check(folders, outputPaths(files));
         checkResumable(factory, values, files);
-        RenderBudget budget = request.samplesPerPixel().isPresent()
-                ? budget(request.samplesPerPixel().getAsInt())
-                : given;
         long actualSeed = seed != null ? seed : request.seed().orElse(0);
         Map<String, String> identity = identity(file, needState(files), film, filmLayers, budget);
         identity.put(RenderIdentity.RENDERER, factory.id());
@@ -306,6 +311,18 @@ final class RenderCommand implements Callable<Integer> {
                     ExitCode.USAGE, "--threads is " + threads + " but must be from 1 to " + MOST_THREADS);
         }
         return threads;
+    }
+
+    /** Samples per pixel of the command line, else of the scene if there is no other limit; empty if nobody asks for a number. */
+    private OptionalLong samplesAskedFor(RenderSettingsRequest request) {
+        if (samplesPerPixel != null) {
+            return OptionalLong.of(samplesPerPixel);
+        }
+        return seconds == null
+                        && targetError == null
+                        && request.samplesPerPixel().isPresent()
+                ? OptionalLong.of(request.samplesPerPixel().getAsInt())
+                : OptionalLong.empty();
     }
 
     private RenderBudget budget(int samplesOtherwise) {

@@ -3,6 +3,7 @@ package org.daybreak.cli;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.OptionalLong;
 import org.daybreak.core.film.FilmSettings;
 import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterException;
@@ -26,10 +27,15 @@ record RendererChoice(RendererFactory factory, ParameterValues values) {
      * @param parameters those of the command line
      * @param scene the scene file, for messages
      * @param request what the scene asks for. Values for parameters that the renderer does not have are left out.
+     * @param samplesPerPixel samples per pixel that are asked for, empty if none are: for renderers that have a parameter for them
      * @throws ParameterException if the command line sets a wrong parameter or value
      */
     static RendererChoice of(
-            @Nullable String renderer, Map<String, String> parameters, Path scene, RenderSettingsRequest request) {
+            @Nullable String renderer,
+            Map<String, String> parameters,
+            Path scene,
+            RenderSettingsRequest request,
+            OptionalLong samplesPerPixel) {
         RendererFactory factory = Services.renderer(
                 renderer != null ? renderer : request.rendererId().orElse(RenderPlan.DEFAULT_RENDERER));
         Map<String, String> texts = new LinkedHashMap<>();
@@ -43,6 +49,10 @@ record RendererChoice(RendererFactory factory, ParameterValues values) {
                 }
                 texts.put(parameter.name(), asked);
             }
+        }
+        String samples = factory.samplesParameter().orElse(null);
+        if (samples != null && samplesPerPixel.isPresent()) {
+            texts.putIfAbsent(samples, Long.toString(samplesPerPixel.getAsLong()));
         }
         texts.putAll(parameters);
         return new RendererChoice(factory, ParameterValues.parse(factory.parameters(), texts, factory.id()));

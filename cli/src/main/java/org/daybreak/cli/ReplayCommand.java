@@ -3,6 +3,7 @@ package org.daybreak.cli;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import org.daybreak.core.film.FilmSettings;
 import org.daybreak.core.render.Antialiasing;
@@ -111,10 +112,10 @@ final class ReplayCommand implements Callable<Integer> {
         RenderSettingsRequest request = file.request();
         FilmSettings film = RendererChoice.film(scene, file, size, null);
         file.graph().setFilm(film);
-        RendererChoice choice = RendererChoice.of(renderer, parameters, scene, request);
         long samples = samplesPerPixel != null
                 ? samplesPerPixel
                 : request.samplesPerPixel().orElse(RenderPlan.DEFAULT_SAMPLES);
+        RendererChoice choice = RendererChoice.of(renderer, parameters, scene, request, OptionalLong.of(samples));
         SampleRequest wanted = new SampleRequest(address(request), film, method, method.samplesPerPixel(samples));
         Scene compiled = Scenes.compile(
                 scene, file, new SceneCompiler.Options(Runtime.getRuntime().availableProcessors(), intersector));

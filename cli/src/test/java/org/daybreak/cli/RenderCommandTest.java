@@ -10,6 +10,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import javax.imageio.ImageIO;
@@ -141,6 +142,83 @@ class RenderCommandTest {
         TestScenes.write(folder, TestScenes.usual().replace("<integer name=\"sample_count\" value=\"$spp\"/>", ""));
         // The reader's own default for a sampler without a count is left to the renderer.
         assertEquals(64, statistics().get("samplesPerPixel").asInt());
+    }
+
+    /** Renderers by Markov chains take them as mutations, unless these are given themselves. */
+    @Test
+    void samplesAreTheMutationsOfMarkovChains() throws IOException {
+        for (String renderer : new String[] {"metropolis", "pssmlt", "mmlt"}) {
+            assertEquals(4, mutations(renderer), "the scene's");
+            assertEquals(3, mutations(renderer, "--spp", "3"));
+            assertEquals(5, mutations(renderer, "--spp", "3", "-P", "mutationsPerPixel=5"));
+            assertEquals(5, mutations(renderer, "--time", "1000", "--spp", "5"));
+            // No number of samples is asked for: the parameter's default, which then only divides the time.
+            assertEquals(100, mutations(renderer, "--target-error", "0.9"));
+        }
+        TestScenes.write(folder, TestScenes.usual().replace("<integer name=\"sample_count\" value=\"$spp\"/>", ""));
+        assertEquals(100, mutations("metropolis"));
+    }
+
+    private int mutations(String renderer, Object... options) throws IOException {
+        List<Object> all = new ArrayList<>(List.of("--renderer", renderer));
+        all.addAll(List.of("-P", "bootstrapSamples=500", "-P", "separateDirect=false"));
+        all.addAll(List.of(options));
+        JsonNode s = statistics(all.toArray());
+        int mutations =
+                s.get("renderer").get("parameters").get("mutationsPerPixel").asInt();
+        boolean byError = List.of(options).contains("--target-error");
+        if (!byError) {
+            assertEquals(mutations, s.get("samplesPerPixel").asInt());
+            assertEquals(mutations, s.get("figures").get("mutationsPerPixel").asDouble());
+        }
+        return mutations;
+    }
+
+    /** What scene files ask of these renderers are parameters that they have. */
+    @Test
+    void integratorsOfMitsubaAreTheRenderersByMarkovChains() throws IOException {
+        String scene = TestScenes.usual()
+                .replace(
+                        TestScenes.INTEGRATOR,
+                        "<integrator type=\"mlt\"><integer name=\"max_depth\" value=\"4\"/>"
+                                + "<integer name=\"direct_samples\" value=\"8\"/>"
+                                + "<integer name=\"luminance_samples\" value=\"500\"/>"
+                                + "<boolean name=\"two_stage\" value=\"true\"/>"
+                                + "<integer name=\"first_stage_size_reduction\" value=\"2\"/>"
+                                + "<boolean name=\"lens_perturbation\" value=\"false\"/></integrator>");
+        TestScenes.write(folder, scene);
+        JsonNode mlt = statistics().get("renderer");
+        assertEquals("metropolis", mlt.get("id").asText());
+        JsonNode values = mlt.get("parameters");
+        assertEquals(4, values.get("maxDepth").asInt());
+        assertEquals(4, values.get("mutationsPerPixel").asInt());
+        assertEquals(8, values.get("directSamples").asInt());
+        assertEquals(500, values.get("bootstrapSamples").asInt());
+        assertTrue(values.get("twoStage").asBoolean());
+        assertEquals(2, values.get("reduction").asInt());
+        for (String off : new String[] {"lensSubpath", "lens", "manifold"}) {
+            assertEquals(0, values.get(off).asDouble(), off);
+        }
+        for (String on : new String[] {"bidirectional", "caustic", "multiChain"}) {
+            assertTrue(values.get(on).asDouble() > 0, on);
+        }
+        scene = TestScenes.usual()
+                .replace(
+                        TestScenes.INTEGRATOR,
+                        "<integrator type=\"pssmlt\"><integer name=\"direct_samples\" value=\"-1\"/>"
+                                + "<integer name=\"luminance_samples\" value=\"500\"/>"
+                                + "<integer name=\"rr_depth\" value=\"7\"/><float name=\"p_large\" value=\"0.2\"/>"
+                                + "<float name=\"mutation_size_low\" value=\"0.001\"/>"
+                                + "<float name=\"mutation_size_high\" value=\"0.1\"/></integrator>");
+        TestScenes.write(folder, scene);
+        JsonNode pssmlt = statistics().get("renderer");
+        assertEquals("pssmlt", pssmlt.get("id").asText());
+        values = pssmlt.get("parameters");
+        assertFalse(values.get("separateDirect").asBoolean());
+        assertEquals(7, values.get("rrDepth").asInt());
+        assertEquals(0.2, values.get("largeStep").asDouble());
+        assertEquals(0.001, values.get("smallestStep").asDouble());
+        assertEquals(0.1, values.get("largestStep").asDouble());
     }
 
     @Test

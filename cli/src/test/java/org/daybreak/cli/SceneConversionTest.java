@@ -22,6 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A converted scene renders to the same bits as the scene or model that it was made from. */
 class SceneConversionTest {
@@ -396,6 +397,31 @@ class SceneConversionTest {
         assertTrue(text.contains("<float name=\"radius\" value=\"0.3\"/>"), text);
         assertFalse(text.contains("heightfield") || text.contains("bsplinecurve"), text);
         assertTrue(attachments(converted).stream().anyMatch(f -> f.startsWith("hair-")));
+    }
+
+    /** Integrators of Mitsuba 0.6 that are renderers by Markov chains. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "mlt'><boolean name='manifoldPerturbation' value='true'/><boolean name='lensPerturbation' value='false'/>"
+                        + "<float name='lambda' value='40'/>",
+                "pssmlt'><float name='pLarge' value='0.25'/><integer name='rrDepth' value='4'/>"
+            })
+    void markovChainsKeepTheirBits(String integrator) throws IOException {
+        Path scene = write("scene.xml", """
+                <scene version="0.6.0"><integrator type='%s<integer name="maxDepth" value="6"/>
+                        <integer name="luminanceSamples" value="300"/><integer name="directSamples" value="2"/></integrator>
+                    <sensor type="perspective"><transform name="toWorld"><lookAt origin="0,1,5" target="0,0,0" up="0,1,0"/></transform>
+                        <sampler type="independent"><integer name="sampleCount" value="9"/></sampler></sensor>
+                    <shape type="rectangle"><transform name="toWorld"><scale value="4"/><translate z="-1"/></transform></shape>
+                    <shape type="sphere"><bsdf type="dielectric"/></shape>
+                    <shape type="sphere"><point name="center" x="3" y="3" z="2"/><float name="radius" value="0.5"/>
+                        <emitter type="area"><spectrum name="radiance" value="9"/></emitter></shape>
+                </scene>
+                """.formatted(integrator));
+        String text = Files.readString(assertSame(scene));
+        assertTrue(text.contains("<integrator type=\"" + integrator.replaceFirst("'.*", "") + "\""), text);
+        assertTrue(text.contains("luminance_samples"), text);
     }
 
     @Test

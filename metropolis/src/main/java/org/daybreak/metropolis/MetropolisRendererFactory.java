@@ -1,10 +1,12 @@
 package org.daybreak.metropolis;
 
 import java.util.List;
+import java.util.Optional;
 import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.render.Renderer;
 import org.daybreak.core.render.RendererFactory;
+import org.daybreak.metropolis.chains.ChainSettings;
 
 /** Metropolis light transport as users see it. */
 public final class MetropolisRendererFactory implements RendererFactory {
@@ -24,6 +26,11 @@ public final class MetropolisRendererFactory implements RendererFactory {
     @Override
     public List<Parameter> parameters() {
         return MetropolisSettings.PARAMETERS;
+    }
+
+    @Override
+    public Optional<String> samplesParameter() {
+        return Optional.of(ChainSettings.MUTATIONS_PER_PIXEL);
     }
 
     @Override

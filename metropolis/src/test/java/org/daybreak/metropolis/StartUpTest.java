@@ -16,6 +16,7 @@ import org.daybreak.core.render.Renderer;
 import org.daybreak.core.render.RendererFactory;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.testing.ZTest;
+import org.daybreak.metropolis.chains.Rendering;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

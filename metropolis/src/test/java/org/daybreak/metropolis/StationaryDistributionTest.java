@@ -17,6 +17,8 @@ import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.StreamDomain;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.testing.Significance;
+import org.daybreak.metropolis.chains.ChainStatistics;
+import org.daybreak.metropolis.chains.ImageImportance;
 import org.daybreak.metropolis.strategy.LightPath;
 import org.daybreak.metropolis.strategy.MutationStrategy;
 import org.daybreak.metropolis.strategy.PathBuilder;

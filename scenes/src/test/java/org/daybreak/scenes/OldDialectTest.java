@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import org.daybreak.core.color.SpectralColors;
 import org.daybreak.core.color.Spectrum;
@@ -18,6 +19,7 @@ import org.daybreak.core.scene.LightSource;
 import org.daybreak.core.scene.Node;
 import org.daybreak.scenes.build.RenderSettingsRequest;
 import org.daybreak.scenes.description.SceneException;
+import org.daybreak.scenes.description.SceneProblem;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -149,10 +151,80 @@ class OldDialectTest {
 
     @Test
     void otherIntegratorsOfGlobalLightBecomeThePathTracer() throws IOException, SceneException {
-        SceneFile file = SceneTexts.load(folder, HEAD.replace("bdpt", "pssmlt") + "<emitter type='constant'/></scene>");
+        SceneFile file = SceneTexts.load(folder, HEAD.replace("bdpt", "erpt") + "<emitter type='constant'/></scene>");
         assertEquals("path", file.request().rendererId().orElseThrow());
         assertTrue(
-                file.warnings().stream().anyMatch(w -> w.message().contains("'pssmlt' is replaced by 'path'")),
+                file.warnings().stream().anyMatch(w -> w.message().contains("'erpt' is replaced by 'path'")),
                 () -> file.warnings().toString());
+    }
+
+    private static String chains(String type, String properties) {
+        return HEAD.replaceFirst(
+                        "<integrator.*</integrator>", "<integrator type='" + type + "'>" + properties + "</integrator>")
+                + "<emitter type='constant'/></scene>";
+    }
+
+    /** The strategies that Mitsuba 0.6 has by default, and no others. */
+    @Test
+    void pathSpaceMetropolisHasItsStrategies() throws IOException, SceneException {
+        SceneFile plain = SceneTexts.load(folder, chains("mlt", ""));
+        assertEquals(List.of(), plain.warnings());
+        assertEquals("metropolis", plain.request().rendererId().orElseThrow());
+        assertEquals(
+                Map.of("lensSubpath", "0", "manifold", "0"), plain.request().parameters());
+        assertEquals(12, plain.request().samplesPerPixel().getAsInt());
+        SceneFile file = SceneTexts.load(
+                folder,
+                chains(
+                        "mlt",
+                        "<integer name='maxDepth' value='9'/><integer name='directSamples' value='-1'/>"
+                                + "<integer name='luminanceSamples' value='5000'/><boolean name='twoStage' value='true'/>"
+                                + "<boolean name='bidirectionalMutation' value='true'/>"
+                                + "<boolean name='lensPerturbation' value='false'/>"
+                                + "<boolean name='causticPerturbation' value='false'/>"
+                                + "<boolean name='multiChainPerturbation' value='false'/>"
+                                + "<boolean name='manifoldPerturbation' value='true'/>"
+                                + "<integer name='workUnits' value='8'/>\n<float name='lambda' value='40'/>"));
+        assertEquals(
+                Map.of(
+                        "maxDepth", "9",
+                        "separateDirect", "false",
+                        "bootstrapSamples", "5000",
+                        "twoStage", "true",
+                        "lensSubpath", "0",
+                        "lens", "0",
+                        "caustic", "0",
+                        "multiChain", "0"),
+                file.request().parameters());
+        assertEquals(1, file.warnings().size(), () -> file.warnings().toString());
+        assertEquals(2, file.warnings().get(0).location().line());
+        assertTrue(file.warnings().get(0).message().startsWith("'lambda' has no effect"));
+    }
+
+    @Test
+    void primarySampleSpaceMetropolisHasItsSteps() throws IOException, SceneException {
+        SceneFile file = SceneTexts.load(
+                folder,
+                chains(
+                        "pssmlt",
+                        "<integer name='maxDepth' value='6'/><integer name='rrDepth' value='4'/>"
+                                + "<integer name='directSamples' value='32'/><float name='pLarge' value='0.4'/>"
+                                + "<boolean name='kelemenStyleWeights' value='false'/>"
+                                + "<float name='mutationSizeHigh' value='0.05'/><integer name='timeout' value='10'/>"
+                                + "<boolean name='bidirectional' value='false'/>"));
+        assertEquals("pssmlt", file.request().rendererId().orElseThrow());
+        assertEquals(
+                Map.of(
+                        "maxDepth", "6",
+                        "rrDepth", "4",
+                        "directSamples", "32",
+                        "largeStep", "0.4",
+                        "largestStep", "0.05"),
+                file.request().parameters());
+        assertEquals(
+                List.of(
+                        "'timeout' has no effect: give --time",
+                        "'bidirectional' has no effect: samples are those of bidirectional path tracing"),
+                file.warnings().stream().map(SceneProblem::message).toList());
     }
 }

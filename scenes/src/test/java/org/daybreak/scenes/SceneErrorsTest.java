@@ -213,6 +213,24 @@ class SceneErrorsTest {
                 arguments(
                         "<integrator type='path'>§<float name='max_depth' value='3'/></integrator>", "but is a float"),
                 arguments(
+                        "<integrator type='mlt'>§<integer name='direct_samples' value='0'/></integrator>",
+                        "'direct_samples' must be -1 for leaving direct light to the chains or at least 1 but is 0"),
+                arguments(
+                        "§<integrator type='mlt'><boolean name='bidirectional_mutation' value='false'/>"
+                                + "<boolean name='lens_perturbation' value='false'/>"
+                                + "<boolean name='caustic_perturbation' value='false'/>"
+                                + "<boolean name='multi_chain_perturbation' value='false'/></integrator>",
+                        "all mutation strategies are switched off"),
+                arguments(
+                        "<integrator type='mlt'>§<boolean name='caustic_mutation' value='false'/></integrator>",
+                        "has no property 'caustic_mutation'; did you mean 'caustic_perturbation'"),
+                arguments(
+                        "<integrator type='pssmlt'>§<float name='p_large' value='2'/></integrator>",
+                        "'p_large' of <integrator type=\"pssmlt\"> must be a float from 0 to 1 but is 2.0"),
+                arguments(
+                        "<integrator type='pssmlt'>§<float name='mutation_size_low' value='0.1'/></integrator>",
+                        "'mutation_size_low' is 0.1 but must be at most 'mutation_size_high', which is 0.015625"),
+                arguments(
                         "<shape type='sphere'><bsdf type='diffuse'/>§<film type='hdrfilm'/></shape>",
                         "cannot contain a <film>"));
     }

@@ -1,6 +1,7 @@
 package org.daybreak.core.render;
 
 import java.util.List;
+import java.util.Optional;
 
 /** A rendering algorithm as users see it. Implementations are found by {@link java.util.ServiceLoader}. */
 public interface RendererFactory {
@@ -12,6 +13,14 @@ public interface RendererFactory {
 
     /** Its parameters, in the order they should be shown. */
     List<Parameter> parameters();
+
+    /**
+     * Name of the parameter, a whole number, that stands for the samples per pixel; empty if {@link RenderBudget#samplesPerPixel()}
+     * does, as it does for most. Whoever asks a renderer for samples per pixel sets it, unless it has been given a value of its own.
+     */
+    default Optional<String> samplesParameter() {
+        return Optional.empty();
+    }
 
     /**
      * Creates a renderer.

@@ -2,12 +2,13 @@ package org.daybreak.metropolis.primary;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.render.Renderer;
 import org.daybreak.core.render.RendererFactory;
-import org.daybreak.metropolis.ChainRenderer;
-import org.daybreak.metropolis.ChainSettings;
+import org.daybreak.metropolis.chains.ChainRenderer;
+import org.daybreak.metropolis.chains.ChainSettings;
 
 /** What both renderers by chains over random numbers have in common. */
 abstract class PrimaryRendererFactory implements RendererFactory {
@@ -29,6 +30,11 @@ abstract class PrimaryRendererFactory implements RendererFactory {
         List<Parameter> all = new ArrayList<>(ChainSettings.PARAMETERS);
         all.addAll(PrimarySettings.PARAMETERS);
         return List.copyOf(all);
+    }
+
+    @Override
+    public final Optional<String> samplesParameter() {
+        return Optional.of(ChainSettings.MUTATIONS_PER_PIXEL);
     }
 
     @Override

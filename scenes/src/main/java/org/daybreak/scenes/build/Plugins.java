@@ -64,7 +64,7 @@ public final class Plugins {
     private static List<PluginDefinition> all() {
         List<PluginDefinition> list = new ArrayList<>();
         list.add(scene());
-        addIntegrators(list);
+        IntegratorPlugins.addTo(list);
         SensorPlugins.addTo(list);
         FilmPlugins.addTo(list);
         addSamplers(list);
@@ -98,50 +98,6 @@ public final class Plugins {
                 objects(ObjectKind.SHAPE, 0, MANY, "Geometry."),
                 objects(ObjectKind.EMITTER, 0, MANY, "Lights that are not on a shape."),
                 objects(ObjectKind.BSDF, 0, MANY, "Materials to refer to."));
-    }
-
-    private static void addIntegrators(List<PluginDefinition> list) {
-        List<PropertyDefinition> depths = List.of(
-                value(
-                                "max_depth",
-                                ValueType.INTEGER,
-                                "-1",
-                                "Longest path in edges: 1 shows lights only, 2 direct light; -1 is unlimited.")
-                        .between(-1, Integer.MAX_VALUE),
-                value("rr_depth", ValueType.INTEGER, "5", "Length from which Russian roulette may end a path.")
-                        .between(1, Integer.MAX_VALUE));
-        List<PropertyDefinition> common = List.of(
-                value("hide_emitters", ValueType.BOOLEAN, "false", "Has no effect: lights are always visible."),
-                optional("samples_per_pass", ValueType.INTEGER, NO_EFFECT),
-                optional("block_size", ValueType.INTEGER, NO_EFFECT));
-        list.add(plugin(ObjectKind.INTEGRATOR, "path", "Path tracer: renderer 'path'.", join(common, join(depths))));
-        list.add(plugin(
-                ObjectKind.INTEGRATOR,
-                "direct",
-                "Direct light: renderer 'path' with paths of at most 2 edges.",
-                join(
-                        common,
-                        optional("shading_samples", ValueType.INTEGER, NO_EFFECT),
-                        optional("emitter_samples", ValueType.INTEGER, NO_EFFECT),
-                        optional("bsdf_samples", ValueType.INTEGER, NO_EFFECT))));
-        list.add(plugin(
-                ObjectKind.INTEGRATOR,
-                "ptracer",
-                "Particle tracer: renderer 'light'. It cannot show what only specular paths reach.",
-                join(common, join(depths))));
-        list.add(plugin(
-                ObjectKind.INTEGRATOR,
-                "bdpt",
-                "Bidirectional path tracer: renderer 'bidirectional'.",
-                join(
-                        common,
-                        join(
-                                depths,
-                                value(
-                                        "light_image",
-                                        ValueType.BOOLEAN,
-                                        "true",
-                                        "Whether light paths are joined to the lens.")))));
     }
 
     private static void addSamplers(List<PluginDefinition> list) {

@@ -62,7 +62,9 @@ public final class SceneBuilder {
         Properties.Child integrator = scene.child(ObjectKind.INTEGRATOR);
         Properties integratorProperties = integrator == null ? null : context.properties(integrator.object());
         if (integratorProperties != null) {
-            readIntegrator(integratorProperties);
+            IntegratorReader.Request request = IntegratorReader.read(context, integratorProperties);
+            rendererId = request.rendererId();
+            parameters.putAll(request.parameters());
         }
         Properties sampler = buildSensor(scene.children(ObjectKind.SENSOR));
         buildContent(scene);
@@ -77,34 +79,6 @@ public final class SceneBuilder {
                 new RenderSettingsRequest(Optional.ofNullable(rendererId), parameters, samples, seed),
                 context.files(),
                 meshes);
-    }
-
-    private void readIntegrator(Properties p) {
-        if (p.truth("hide_emitters")) {
-            context.warning(p.location("hide_emitters"), "'hide_emitters' has no effect: lights stay visible");
-        }
-        String type = p.object().type();
-        rendererId = switch (type) {
-            case "ptracer" -> "light";
-            case "bdpt" -> "bidirectional";
-            default -> "path";
-        };
-        if (type.equals("direct")) {
-            parameters.put(RenderSettingsRequest.MAX_DEPTH, "2");
-            return;
-        }
-        if (p.has("light_image")) {
-            parameters.put(RenderSettingsRequest.CAUSTIC_MAP, Boolean.toString(p.truth("light_image")));
-        }
-        if (p.has("max_depth")) {
-            if (p.integer("max_depth") == 0) {
-                context.error(p.location("max_depth"), "'max_depth' must be -1 for unlimited or at least 1 but is 0");
-            }
-            parameters.put(RenderSettingsRequest.MAX_DEPTH, Integer.toString(p.integer("max_depth")));
-        }
-        if (p.has("rr_depth")) {
-            parameters.put(RenderSettingsRequest.ROULETTE_DEPTH, Integer.toString(p.integer("rr_depth")));
-        }
     }
 
     /** Builds the first camera and checks the others. Returns the sampler's properties, if there are any. */

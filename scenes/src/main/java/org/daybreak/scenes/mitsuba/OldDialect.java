@@ -21,18 +21,8 @@ final class OldDialect {
             Map.of("luminaire", ObjectKind.EMITTER, "camera", ObjectKind.SENSOR);
 
     /** Integrators whose picture, when it has converged, is that of the path tracer. */
-    private static final Set<String> GLOBAL = Set.of(
-            "volpath",
-            "volpath_simple",
-            "pssmlt",
-            "mlt",
-            "erpt",
-            "photonmapper",
-            "ppm",
-            "sppm",
-            "vpl",
-            "adaptive",
-            "irrcache");
+    private static final Set<String> GLOBAL =
+            Set.of("volpath", "volpath_simple", "erpt", "photonmapper", "ppm", "sppm", "vpl", "adaptive", "irrcache");
 
     private static final Set<String> PATH_PROPERTIES = Set.of("max_depth", "rr_depth", "hide_emitters");
     private static final String[] FILM_OUTPUT = {
@@ -122,6 +112,9 @@ final class OldDialect {
         if (e.type().equals("bdpt")) {
             e.remove("sample_direct");
         }
+        if (e.type().equals("mlt") || e.type().equals("pssmlt")) {
+            chains(e);
+        }
         if (GLOBAL.contains(e.type())) {
             ObjectDescription nested = e.nested(ObjectKind.INTEGRATOR);
             e.warn("", "the integrator '" + e.type() + "' is replaced by 'path'");
@@ -130,6 +123,27 @@ final class OldDialect {
             }
             e.setType("path");
             e.retain(PATH_PROPERTIES);
+        }
+    }
+
+    /** Markov chains. */
+    private static void chains(ObjectEditor e) {
+        if (e.number("timeout", 0) > 0) {
+            e.warn("timeout", "'timeout' has no effect: give --time");
+        }
+        e.remove("timeout", "work_units", "first_stage");
+        if (e.type().equals("mlt")) {
+            if (!e.has("lambda")) {
+                e.rename("prob_factor", "lambda");
+            }
+            e.remove("prob_factor");
+        } else {
+            if (e.has("bidirectional") && !e.isTrue("bidirectional")) {
+                e.warn(
+                        "bidirectional",
+                        "'bidirectional' has no effect: samples are those of bidirectional path tracing");
+            }
+            e.remove("bidirectional", "kelemen_style_weights", "direct_sampling");
         }
     }
 
