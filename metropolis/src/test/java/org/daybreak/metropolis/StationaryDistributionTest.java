@@ -120,6 +120,8 @@ class StationaryDistributionTest {
         private final List<String> mixtures;
         private final List<Cells> partitions = List.of(
                 new Cells("kinds", Paths::signature),
+                new Cells("ends", Paths::ends),
+                new Cells("counts", Paths::counts),
                 new Cells("places", path -> Paths.places(path, 0, -0.1, -0.4, ToyScenes.SIZE)),
                 new Cells("lengths", Paths::lengths),
                 new Cells("magnitudes", Paths::magnitude));
