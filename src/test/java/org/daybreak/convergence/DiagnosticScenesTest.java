@@ -252,8 +252,7 @@ class DiagnosticScenesTest {
         try (Stream<Path> files = Files.walk(folder, 2)) {
             files.filter(file -> file.getFileName().toString().endsWith(".xml"))
                     .map(file -> folder.relativize(file).toString().replace('\\', '/'))
-                    .forEach(scene ->
-                            wanted.addAll(List.of(
+                    .forEach(scene -> wanted.addAll(List.of(
                             scene + " path", scene + " light", scene + " bidirectional", scene + " metropolis")));
         }
         Set<String> covered = SUBJECTS.stream()
