@@ -50,7 +50,17 @@ class ArchitectureTest {
             "metropolis", Set.of("core", "antialiasing", "tracing", "bidirectional"),
             "scenes", Set.of("core"),
             "cli", Set.of("exr", "core", "accel", "antialiasing", "tracing", "bidirectional", "metropolis", "scenes"),
-            "benchmarks", Set.of("exr", "core", "accel", "antialiasing", "tracing", "bidirectional", "metropolis", "scenes", "cli"));
+            "benchmarks",
+                    Set.of(
+                            "exr",
+                            "core",
+                            "accel",
+                            "antialiasing",
+                            "tracing",
+                            "bidirectional",
+                            "metropolis",
+                            "scenes",
+                            "cli"));
 
     /** The programs: they may print, exit and use any library. All other top-level packages are library code. */
     private static final Set<String> PROGRAMS = Set.of("cli", "benchmarks");

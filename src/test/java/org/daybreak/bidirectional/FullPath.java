@@ -44,7 +44,9 @@ final class FullPath {
         delta = new boolean[k + 1];
         for (int i = 0; i <= k; i++) {
             points[i] = new SurfacePoint();
-            if (i >= s && t > 1) {
+            if (i == k && t == 0) {
+                points[i].set(found.lens.point);
+            } else if (i >= s && t > 1) {
                 points[i].set(found.eye.points[k - i]);
             } else if (i >= s) {
                 points[i].set(found.lens.point);
@@ -55,14 +57,14 @@ final class FullPath {
             }
         }
         for (int i = 0; i < k; i++) {
-            if (i + 1 < s) {
+            if (i + 1 == k && t <= 1) {
+                edges[i] = new double[] {found.lens.wiX, found.lens.wiY, found.lens.wiZ};
+            } else if (i + 1 < s) {
                 PathValues light = found.light;
                 edges[i] = new double[] {-light.backX[i + 1], -light.backY[i + 1], -light.backZ[i + 1]};
             } else if (i >= s) {
                 PathValues eye = found.eye;
                 edges[i] = new double[] {eye.backX[k - i], eye.backY[k - i], eye.backZ[k - i]};
-            } else if (t == 1) {
-                edges[i] = new double[] {found.lens.wiX, found.lens.wiY, found.lens.wiZ};
             } else if (s == 1) {
                 edges[i] = new double[] {-found.lightSample.wiX, -found.lightSample.wiY, -found.lightSample.wiZ};
             } else {

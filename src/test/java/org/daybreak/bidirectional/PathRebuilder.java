@@ -25,15 +25,19 @@ final class PathRebuilder {
     private final Light light;
     private final EmissionGuide guide;
     private final boolean allLights;
+    private final int splitting;
     private final int k;
 
     /** The first vertex from the lens that can be connected; k if there is none. */
     private final int fork;
 
-    /** Density of x_i as sampled from x_{i−1}; of x₀ as the start of a light subpath. */
+    /** Whether paths can hit the lens. */
+    final boolean lensHits;
+
+    /** Density of x_i as sampled from x_{i−1}; of x₀ as the start of a light subpath; of the lens 0 if it cannot be hit. */
     final double[] fromLight;
 
-    /** Density of x_i as sampled from x_{i+1}; of the lens 1. */
+    /** Density of x_i as sampled from x_{i+1}; of the lens 1 if it cannot be hit. */
     final double[] fromEye;
 
     /** Probability with which x₁ chooses the light, and with it the density of x₀ by next-event estimation. */
@@ -47,15 +51,17 @@ final class PathRebuilder {
      *
      * @param guide how light subpaths leave the lights
      * @param allLights whether every light has its light subpath and light sample
+     * @param lensHitsCount whether light paths that hit the lens count, if it has an area
      * @param splitting in how many ways eye subpaths go on from the first vertex that can be connected
      */
-    PathRebuilder(FullPath path, EmissionGuide guide, boolean allLights, int splitting) {
+    PathRebuilder(FullPath path, EmissionGuide guide, boolean allLights, boolean lensHitsCount, int splitting) {
         this.path = path;
         this.guide = guide;
         scene = path.scene;
         light = scene.light(path.lightIndex);
         k = path.edgeCount();
         this.allLights = allLights;
+        this.splitting = splitting;
         fork = fork();
         fromLight = new double[k + 1];
         fromEye = new double[k + 1];
@@ -64,8 +70,15 @@ final class PathRebuilder {
         for (int i = 2; i < k; i++) {
             fromLight[i] = direction(i - 1, -1, TransportMode.IMPORTANCE) * toArea(i, i - 1);
         }
-        fromEye[k] = 1;
-        fromEye[k - 1] = fromFilm();
+        CameraRay ray = new CameraRay();
+        SurfacePoint lens = path.points[k];
+        double[] last = path.edges[k - 1];
+        assertTrue(
+                path.camera.rayDensity(lens.x, lens.y, lens.z, -last[0], -last[1], -last[2], ray), "x_{k-1} is seen");
+        lensHits = lensHitsCount && path.camera.hasLensArea();
+        fromEye[k] = lensHits ? ray.densityPosition : 1;
+        fromLight[k] = lensHits ? onLens() : 0;
+        fromEye[k - 1] = fromFilm(ray);
         for (int i = k - 2; i >= 0; i--) {
             boolean missed = i == 0 && light.isDelta();
             fromEye[i] = missed ? 0 : direction(i + 1, 1, TransportMode.RADIANCE) * toArea(i, i);
@@ -123,12 +136,20 @@ final class PathRebuilder {
         nextEvent = chosen * incident * (light.isDelta() ? 1 : toArea(0, 0));
     }
 
+    /** Density of the lens as sampled from x_{k−1}. */
+    private double onLens() {
+        if (k > 1) {
+            return direction(k - 1, -1, TransportMode.IMPORTANCE) * toArea(k, k - 1);
+        }
+        double[] e = path.edges[0];
+        EmissionDensity emission = new EmissionDensity();
+        guide.density(path.lightIndex, path.points[0], path.points[1], e[0], e[1], e[2], emission);
+        return path.infinite ? emission.position * cosine(1, 0) : emission.direction * toArea(1, 0);
+    }
+
     /** Density of x_{k−1} as sampled from a film point that is uniform over the film. */
-    private double fromFilm() {
-        SurfacePoint lens = path.points[k];
+    private double fromFilm(CameraRay ray) {
         double[] e = path.edges[k - 1];
-        CameraRay ray = new CameraRay();
-        assertTrue(path.camera.rayDensity(lens.x, lens.y, lens.z, -e[0], -e[1], -e[2], ray), "the camera sees x_{k-1}");
         boolean infinite = k == 1 && path.infinite;
         if (!path.camera.isParallel()) {
             return ray.densityDirection * (infinite ? 1 : cosine(k - 1, k - 1) / path.squares[k - 1]);
@@ -201,7 +222,7 @@ final class PathRebuilder {
     /** Logarithm of the density of the whole path by technique s; −∞ for 0. */
     double logDensity(int s) {
         double sum = Math.log(s == 0 ? fromEye[0] : s == 1 ? nextEvent : fromLight[0]);
-        for (int i = 1; i < k; i++) {
+        for (int i = 1; i <= k; i++) {
             sum += Math.log(i < s ? fromLight[i] : fromEye[i]);
         }
         return sum;
@@ -209,6 +230,9 @@ final class PathRebuilder {
 
     /** Whether technique s can make the path at all: limits of depth are not asked. */
     boolean possible(int s, boolean lens) {
+        if (s == k + 1) {
+            return lensHits;
+        }
         return s == 0 ? !light.isDelta() : path.joinable(s) && (s < k || lens);
     }
 
@@ -219,16 +243,14 @@ final class PathRebuilder {
 
     /** The weight of technique s asked from the program. */
     double weight(ComplementTracer complement, int s, double exponent, boolean lens) {
-        double[] e = s == 0 ? new double[3] : path.edges[s - 1];
         int t = k + 1 - s;
+        if (t <= 1) {
+            return weightAtLens(complement, s, exponent);
+        }
+        double[] e = s == 0 ? new double[3] : path.edges[s - 1];
         PathValues eye = eyePath(t, exponent, lens);
         if (s == 0) {
             return complement.met(eye, t, path.lightIndex);
-        }
-        if (t == 1) {
-            return s == 1
-                    ? complement.emitterAtLens(fromLight[0], fromEye[0])
-                    : complement.lens(lightPath(s, exponent), s, e[0], e[1], e[2], fromEye[k - 1]);
         }
         if (s == 1) {
             LightSample sample = new LightSample();
@@ -253,6 +275,30 @@ final class PathRebuilder {
                 path.squares[s - 1],
                 direction(s - 1, -1, TransportMode.IMPORTANCE),
                 direction(s, 1, TransportMode.RADIANCE));
+    }
+
+    private double weightAtLens(ComplementTracer complement, int s, double exponent) {
+        double[] e = path.edges[k - 1];
+        LensSample lens = new LensSample();
+        lens.point.set(path.points[k]);
+        lens.wiX = e[0];
+        lens.wiY = e[1];
+        lens.wiZ = e[2];
+        lens.densityPosition = fromEye[k];
+        lens.density = fromEye[k] / toArea(k, k - 1);
+        if (s == 1) {
+            return complement.emitterAtLens(path.lightIndex, path.points[0], lens, fromLight[0], fromEye[0]);
+        }
+        if (s == k) {
+            double density = lensHits ? direction(k - 1, -1, TransportMode.IMPORTANCE) : 0;
+            return complement.lens(lightPath(s, exponent), s, lens, fromEye[k - 1], density);
+        }
+        PathValues values = lightPath(k, exponent);
+        if (fork < k && !bsdf(fork).maybeTransparent()) {
+            // A light subpath does not know where the eye subpath would split.
+            values.reverse[fork - 1] /= splitting;
+        }
+        return complement.lensHit(values, lens, fromLight[k], fromEye[k - 1]);
     }
 
     /** The first vertices of the path as a light subpath. */
@@ -301,7 +347,7 @@ final class PathRebuilder {
                 values.backX[j] = path.edges[i][0];
                 values.backY[j] = path.edges[i][1];
                 values.backZ[j] = path.edges[i][2];
-                values.toPrevious[j] = j == 1 ? 0 : toArea(i + 1, i);
+                values.toPrevious[j] = j == 1 && !lensHits ? 0 : toArea(i + 1, i);
                 if (i > 0) {
                     values.bsdfs[j] = bsdf(i);
                     values.connectable[j] = bsdf(i).connectable();
@@ -333,8 +379,8 @@ final class PathRebuilder {
     /** Σ over techniques that connect before z_j, or before that, as seen from the lens. */
     private double eyeTail(int j, double exponent, boolean lens) {
         double sum = 0;
-        for (int t = 1; t <= j; t++) {
-            if ((t == 1 && !lens) || !path.joinable(k + 1 - t)) {
+        for (int t = 0; t <= j; t++) {
+            if (t == 0 ? !lensHits : (t == 1 && !lens) || !path.joinable(k + 1 - t)) {
                 continue;
             }
             double ratio = 1;

@@ -102,9 +102,9 @@ class WeightsTest {
     }
 
     private static void check(String name, Scene scene, int paths, long seed) {
-        new Check(name, scene, false, 1, 2, paths / 3, seed).run();
-        new Check(name, scene, false, 3, 1, paths / 3, seed + 100).run();
-        new Check(name, scene, true, 1, 1, paths / 3, seed + 200).run();
+        new Check(name, scene, false, false, 1, 2, paths / 3, seed).run();
+        new Check(name, scene, false, true, 3, 1, paths / 3, seed + 100).run();
+        new Check(name, scene, true, true, 1, 1, paths / 3, seed + 200).run();
     }
 
     /** The paths of one scene. */
@@ -116,12 +116,21 @@ class WeightsTest {
         private final int splitting;
         private final EmissionGuide guide;
         private final LightDensities lights;
+        private final boolean lensHits;
         private final double exponent;
         private final int wanted;
         private final SplittableRandom random;
         private int checked;
 
-        Check(String name, Scene scene, boolean allLights, int splitting, double exponent, int wanted, long seed) {
+        Check(
+                String name,
+                Scene scene,
+                boolean allLights,
+                boolean lensHits,
+                int splitting,
+                double exponent,
+                int wanted,
+                long seed) {
             this.name = name;
             this.scene = scene;
             this.camera = scene.camera();
@@ -129,13 +138,14 @@ class WeightsTest {
             this.splitting = splitting;
             guide = new EmissionGuide(scene);
             lights = new LightDensities(scene, guide, allLights);
+            this.lensHits = lensHits;
             this.exponent = exponent;
             this.wanted = wanted;
             random = new SplittableRandom(seed);
         }
 
         private BidirectionalSettings settings(
-                int maxEyeDepth, int maxLightDepth, int maxDepth, double beta, boolean causticMap) {
+                int maxEyeDepth, int maxLightDepth, int maxDepth, double beta, boolean causticMap, boolean hits) {
             return new BidirectionalSettings(
                     maxEyeDepth,
                     maxLightDepth,
@@ -145,11 +155,13 @@ class WeightsTest {
                     3,
                     splitting,
                     allLights,
-                    causticMap);
+                    causticMap,
+                    hits,
+                    1);
         }
 
         void run() {
-            BidirectionalSettings settings = settings(-1, -1, -1, exponent, true);
+            BidirectionalSettings settings = settings(-1, -1, -1, exponent, true, lensHits);
             BiDirectionalProcessor processor = new BiDirectionalProcessor(scene, camera, false, settings, this);
             Sampler sampler = new SobolSampling().newSampler(random.nextLong(), 1 << 20);
             RaySample sample = new RaySample();
@@ -173,30 +185,33 @@ class WeightsTest {
             }
             checked++;
             FullPath path = new FullPath(scene, camera, found);
-            PathRebuilder rebuilder = new PathRebuilder(path, guide, allLights, splitting);
+            PathRebuilder rebuilder = new PathRebuilder(path, guide, allLights, lensHits, splitting);
+            PathRebuilder other = new PathRebuilder(path, guide, allLights, !lensHits, splitting);
             int k = path.edgeCount();
-            double[] weights = checkWeights(rebuilder, settings(-1, -1, -1, exponent, true), k);
+            double[] weights = checkWeights(rebuilder, settings(-1, -1, -1, exponent, true, lensHits), k);
             assertEquals(weights[found.s], found.weight, TOLERANCE, () -> describe(path, found.s) + " as found");
             checkStored(found, path, rebuilder);
             for (double beta : EXPONENTS) {
-                checkWeights(rebuilder, settings(-1, -1, -1, beta, true), k);
-                checkWeights(rebuilder, settings(-1, -1, -1, beta, false), k);
+                checkWeights(rebuilder, settings(-1, -1, -1, beta, true, lensHits), k);
+                checkWeights(rebuilder, settings(-1, -1, -1, beta, false, lensHits), k);
+                if (camera.hasLensArea()) {
+                    checkWeights(other, settings(-1, -1, -1, beta, true, !lensHits), k);
+                }
                 boolean lens = random.nextBoolean();
                 int eyeDepth = DEPTHS[random.nextInt(lens ? 0 : 2, DEPTHS.length)];
                 int lightDepth = DEPTHS[random.nextInt(DEPTHS.length)];
                 int maxDepth = random.nextBoolean() ? -1 : k + random.nextInt(3);
-                checkWeights(rebuilder, settings(eyeDepth, lightDepth, maxDepth, beta, lens), k);
+                checkWeights(rebuilder, settings(eyeDepth, lightDepth, maxDepth, beta, lens, lensHits), k);
             }
         }
 
         /** Checks the weights of all techniques under some settings, and returns them. */
         private double[] checkWeights(PathRebuilder rebuilder, BidirectionalSettings settings, int k) {
             double beta = settings.heuristicExponent();
-            ComplementTracer complement =
-                    new ComplementTracer(scene, lights, settings.limits(camera.isParallel()), beta, splitting);
-            double[] logs = new double[k + 1];
+            ComplementTracer complement = new ComplementTracer(scene, lights, settings.limits(camera), beta, splitting);
+            double[] logs = new double[k + 2];
             double largest = Double.NEGATIVE_INFINITY;
-            for (int s = 0; s <= k; s++) {
+            for (int s = 0; s <= k + 1; s++) {
                 boolean seenByEye = rebuilder.isDirectView() && settings.maxEyeDepth() != 1;
                 boolean admissible = rebuilder.possible(s, settings.causticMap())
                         && !(s == 1 && seenByEye)
@@ -205,18 +220,18 @@ class WeightsTest {
                 logs[s] = admissible ? rebuilder.logDensity(s) : Double.NEGATIVE_INFINITY;
                 largest = Math.max(largest, logs[s]);
             }
-            double[] weights = new double[k + 1];
+            double[] weights = new double[k + 2];
             if (largest == Double.NEGATIVE_INFINITY) {
                 return weights;
             }
-            double[] expected = new double[k + 1];
+            double[] expected = new double[k + 2];
             double total = 0;
-            for (int s = 0; s <= k; s++) {
+            for (int s = 0; s <= k + 1; s++) {
                 expected[s] = logs[s] == Double.NEGATIVE_INFINITY ? 0 : Math.exp(beta * (logs[s] - largest));
                 total += expected[s];
             }
             double sum = 0;
-            for (int s = 0; s <= k; s++) {
+            for (int s = 0; s <= k + 1; s++) {
                 if (logs[s] > Double.NEGATIVE_INFINITY) {
                     weights[s] = rebuilder.weight(complement, s, beta, settings.causticMap());
                     sum += weights[s];
@@ -242,6 +257,10 @@ class WeightsTest {
         private void checkStored(Contribution found, FullPath path, PathRebuilder rebuilder) {
             int s = found.s;
             int t = found.t;
+            if (t == 0) {
+                checkStored(rebuilder.lightPath(s - 1, exponent), found.light, s - 1, s - 1, path);
+                return;
+            }
             if (s >= 2) {
                 PathValues expected = rebuilder.lightPath(s, exponent);
                 assertEquals(expected.infinite, found.light.infinite);

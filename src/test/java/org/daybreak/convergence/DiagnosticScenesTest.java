@@ -116,8 +116,9 @@ class DiagnosticScenesTest {
             "mirror_corridor/scene.xml",
             "glass_shell/scene.xml");
 
-    private static final List<Subject> SUBJECTS =
-            Stream.concat(single(), bidirectional()).toList();
+    private static final List<Subject> SUBJECTS = Stream.of(single(), bidirectional(), metropolis())
+            .flatMap(subjects -> subjects)
+            .toList();
 
     private static Stream<Subject> single() {
         return Stream.of(
@@ -212,6 +213,17 @@ class DiagnosticScenesTest {
         return new Subject(scene, "bidirectional", parameters, Comparison.MEAN, 8, samplesPerPixel, 0.03);
     }
 
+    /**
+     * All scenes, which have a light path each. A run has few chains and candidates for their starts, so that its mean rests on few
+     * independent numbers: errors of some per cent are what it can find.
+     */
+    private static Stream<Subject> metropolis() {
+        Map<String, String> parameters =
+                Map.of("separateDirect", "false", "seedPaths", "200", "bootstrapSamples", "4000");
+        return BIDIRECTIONAL_SCENES.stream()
+                .map(scene -> new Subject(scene, "metropolis", parameters, Comparison.MEAN, 16, 12, 0.12));
+    }
+
     /** Scenes that a renderer cannot form, and why. */
     private static final Map<String, String> NOT_FORMED = Map.of(
             "furnace_sphere/scene_mirror.xml light", "nothing but a mirror and what is seen in it",
@@ -241,7 +253,8 @@ class DiagnosticScenesTest {
             files.filter(file -> file.getFileName().toString().endsWith(".xml"))
                     .map(file -> folder.relativize(file).toString().replace('\\', '/'))
                     .forEach(scene ->
-                            wanted.addAll(List.of(scene + " path", scene + " light", scene + " bidirectional")));
+                            wanted.addAll(List.of(
+                            scene + " path", scene + " light", scene + " bidirectional", scene + " metropolis")));
         }
         Set<String> covered = SUBJECTS.stream()
                 .filter(subject -> !subject.renderer.equals("raytracer"))
@@ -286,6 +299,7 @@ class DiagnosticScenesTest {
         SceneFile file = ShippedScenes.read("diagnostic/" + subject.scene);
         Map<String, String> parameters = new HashMap<>(file.request().parameters());
         parameters.putAll(subject.parameters);
+        parameters.put("mutationsPerPixel", Integer.toString(subject.samplesPerPixel * factor));
         Renderer renderer = Rendering.renderer(subject.renderer, parameters);
         Scene scene = ShippedScenes.compile(file.graph());
         ClosedForm closedForm = ClosedForm.of(subject.scene);

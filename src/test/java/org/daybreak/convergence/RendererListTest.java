@@ -23,7 +23,8 @@ import org.junit.jupiter.api.Test;
  * program, which no other test would notice.
  */
 class RendererListTest {
-    private static final Set<String> RENDERERS = Set.of("path", "raytracer", "light", "bidirectional", "metropolis", "pssmlt", "mmlt");
+    private static final Set<String> RENDERERS =
+            Set.of("path", "raytracer", "light", "bidirectional", "metropolis", "pssmlt", "mmlt");
     private static final Set<String> ANTIALIASING = Set.of("none", "grid", "stratified", "sobol", "adaptive");
 
     @Test

@@ -145,8 +145,7 @@ class ReproducibilityTest {
                 };
                 RenderContext context = new RenderContext(
                         SEED, 2, RenderBudget.samples(1 << 24), antialiasing("sobol"), token, listener);
-                return renderer(rendererId, 1 << 20)
-                        .render(scene, scene.camera(), new Film(scene.film()), context);
+                return renderer(rendererId, 1 << 20).render(scene, scene.camera(), new Film(scene.film()), context);
             });
             assertTrue(started.await(60, TimeUnit.SECONDS));
             Future<FilmImage> first = executor.submit(() -> setup.render(renderer, SEED, 2));
@@ -197,17 +196,18 @@ class ReproducibilityTest {
         CancellationToken third = new CancellationToken();
         ExecutorService executor = Executors.newFixedThreadPool(3);
         try {
-            Future<RenderReport> endless = executor.submit(() -> renderer(rendererId, 1 << 20).render(
-                    scene,
-                    scene.camera(),
-                    setup.film(),
-                    new RenderContext(
-                            SEED,
-                            1,
-                            RenderBudget.samples(1 << 24),
-                            antialiasing("sobol"),
-                            third,
-                            RenderListener.NONE)));
+            Future<RenderReport> endless = executor.submit(() -> renderer(rendererId, 1 << 20)
+                    .render(
+                            scene,
+                            scene.camera(),
+                            setup.film(),
+                            new RenderContext(
+                                    SEED,
+                                    1,
+                                    RenderBudget.samples(1 << 24),
+                                    antialiasing("sobol"),
+                                    third,
+                                    RenderListener.NONE)));
             Future<FilmImage> resumed = executor.submit(() -> {
                 Film film = setup.film();
                 RenderContext rest = new RenderContext(

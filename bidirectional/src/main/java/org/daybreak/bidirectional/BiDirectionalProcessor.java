@@ -27,8 +27,8 @@ import org.jspecify.annotations.Nullable;
  * vertex of one to each of the other, and adds up Σ w_{s,t} α_s^L c_{s,t} α_t^E (thesis eq. 4.1–4.5).
  *
  * <p>Techniques: s = 0, the eye subpath meets a light; s = 1, a point on a light is sampled for the eye vertex; t = 1, the light
- * vertex is joined to the lens, see {@link CausticMap}; others join y_{s−1} and z_{t−1}. Occlusion is tested last, for contributions
- * that are not zero.
+ * vertex is joined to the lens, see {@link CausticMap}; t = 0, the light subpath hits the lens; others join y_{s−1} and
+ * z_{t−1}. Occlusion is tested last, for contributions that are not zero.
  */
 public final class BiDirectionalProcessor implements RayProcessor {
     private final Scene scene;
@@ -53,6 +53,7 @@ public final class BiDirectionalProcessor implements RayProcessor {
     private final Spectrum value = new Spectrum();
     private final Spectrum lightValue = new Spectrum();
     private final LineTracer.Emission emission = this::addMet;
+    private final LineTracer.LensHits lensHit;
     private final LineTracer.Emission emissionAtEnd = this::addMetAtEnd;
     private final Spectrum radiance = new Spectrum();
     private double sampleX;
@@ -91,6 +92,32 @@ public final class BiDirectionalProcessor implements RayProcessor {
             BidirectionalSettings settings,
             int rouletteFrom,
             Contribution.@Nullable Listener listener) {
+        this(scene, camera, features, settings, rouletteFrom, listener, settings.connectionRoulette());
+    }
+
+    /**
+     * Creates a processor with a given roulette for occlusion tests, in place of the one that the settings want.
+     *
+     * @param listener told of all contributions; null if nobody listens
+     */
+    BiDirectionalProcessor(
+            Scene scene,
+            Camera camera,
+            boolean features,
+            BidirectionalSettings settings,
+            Contribution.@Nullable Listener listener,
+            ConnectionRoulette roulette) {
+        this(scene, camera, features, settings, settings.rouletteFrom(), listener, roulette);
+    }
+
+    private BiDirectionalProcessor(
+            Scene scene,
+            Camera camera,
+            boolean features,
+            BidirectionalSettings settings,
+            int rouletteFrom,
+            Contribution.@Nullable Listener listener,
+            ConnectionRoulette roulette) {
         this.scene = scene;
         this.features = features;
         caster = new RayCaster(scene);
@@ -98,19 +125,30 @@ public final class BiDirectionalProcessor implements RayProcessor {
         allLights = settings.allLights();
         EmissionGuide guide = new EmissionGuide(scene);
         lights = new LightDensities(scene, guide, allLights);
-        limits = settings.limits(camera.isParallel());
+        limits = settings.limits(camera);
         minVertices = settings.minDepth() + 1L;
         maxVertices = settings.maxVertices();
         splitting = settings.eyeBranches();
         double exponent = settings.heuristicExponent();
-        lines = new LineTracer(camera, caster, guide, lights, exponent, limits.lens(), rouletteFrom, splitting);
-        complement = new ComplementTracer(scene, lights, limits, exponent, splitting);
-        roulette = new ConnectionRoulette(settings.roulette() == BidirectionalSettings.Roulette.EFFICIENCY);
         LensConnection lens = new LensConnection(camera, caster);
+        lines = new LineTracer(camera, caster, guide, lights, exponent, limits, lens.lens(), rouletteFrom, splitting);
+        complement = new ComplementTracer(scene, lights, limits, exponent, splitting);
+        this.roulette = roulette;
         contribution = new Contribution(light, eye, lightSample, lens.lens(), complement);
         this.listener = listener;
         causticMap = new CausticMap(
-                scene, camera, lens, complement, roulette, lights, contribution, listener, limits.emitterAtLens());
+                scene,
+                camera,
+                lens,
+                complement,
+                roulette,
+                lights,
+                contribution,
+                listener,
+                minVertices,
+                maxVertices,
+                limits.emitterAtLens());
+        lensHit = causticMap::addHit;
         lensArea = camera.hasLensArea();
     }
 
@@ -188,7 +226,7 @@ public final class BiDirectionalProcessor implements RayProcessor {
             if (index < 0) {
                 return true;
             }
-            lines.traceLight(index, selection.emissionProbability(index), 0, s, sampler, light);
+            lines.traceLight(index, selection.emissionProbability(index), 0, s, sampler, light, LineTracer.NO_HITS);
             if (s == 1) {
                 causticMap.addEmitter(light, index, 0, sampler);
                 return causticMap.finite();
@@ -227,12 +265,12 @@ public final class BiDirectionalProcessor implements RayProcessor {
         if (limits.maxLightVertices() < 1) {
             return;
         }
-        lines.traceLight(index, chosen, subpath, limits.maxLightVertices(), sampler, light);
+        lines.traceLight(index, chosen, subpath, limits.maxLightVertices(), sampler, light, lensHit);
         if (listener != null) {
             listener.traced(light, index);
         }
         if (limits.lens()) {
-            causticMap.add(light, index, subpath, minVertices, maxVertices, sampler);
+            causticMap.add(light, index, subpath, sampler);
         }
         addVertices(1, index, sampler);
         if (eye.length() > 0 && eye.splits) {
@@ -340,7 +378,7 @@ public final class BiDirectionalProcessor implements RayProcessor {
             return;
         }
         double weight = complement.lightSample(eye, f + 1, index, lightSample, chosen, density);
-        double factor = survive(f, 1 / chosen, weight);
+        double factor = survive(1, f, index, 1 / chosen, weight);
         if (factor == 0) {
             return;
         }
@@ -399,7 +437,7 @@ public final class BiDirectionalProcessor implements RayProcessor {
                 value.b * lightValue.b * light.throughputB[e]);
         double weight =
                 complement.connection(light, e + 1, eye, f + 1, dx, dy, dz, squared, densityFromLight, densityFromEye);
-        double factor = survive(f, 1 / squared, weight);
+        double factor = survive(e + 1, f, light.light[0], 1 / squared, weight);
         if (factor != 0) {
             join(e + 1, f, light.light[0], factor, caster.transmittance(y, z), weight);
         }
@@ -412,7 +450,7 @@ public final class BiDirectionalProcessor implements RayProcessor {
      * @param weight of the contribution
      * @return the factor, divided by the probability of survival; 0 if there is nothing to test for occlusion
      */
-    private double survive(int f, double factor, double weight) {
+    private double survive(int s, int f, int lightIndex, double factor, double weight) {
         double weighted = factor * weight;
         if (weighted == 0) {
             return listener == null ? 0 : factor;
@@ -420,7 +458,12 @@ public final class BiDirectionalProcessor implements RayProcessor {
         double luminance = weighted
                 * Spectrum.luminance(
                         value.r * eye.throughputR[f], value.g * eye.throughputG[f], value.b * eye.throughputB[f]);
-        return factor * roulette.survive(luminance);
+        double survived = roulette.survive(luminance);
+        if (survived == 0 && listener != null) {
+            describe(s, f, lightIndex, factor, weight);
+            listener.leftOut(contribution);
+        }
+        return factor * survived;
     }
 
     /** Adds the value in hand times the throughput of eye vertex f, a factor and the weight of technique (s, f + 1). */

@@ -2,6 +2,7 @@ package org.daybreak.bidirectional;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.daybreak.core.camera.Camera;
 import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterException;
 import org.daybreak.core.render.ParameterValues;
@@ -18,6 +19,7 @@ import org.daybreak.core.render.ParameterValues;
  * @param splitting number of ways in which an eye subpath goes on from the first surface that scatters diffusely
  * @param allLights whether each sample has a light subpath and a light sample for every light, or for one that is chosen
  * @param causticMap whether light subpaths are joined to the lens
+ * @param lensHits whether light subpaths count that hit a lens with an area
  * @param minDepth smallest number of edges of the full paths that count: shorter ones are left out, which does not change the weights
  *     of the others
  */
@@ -31,6 +33,7 @@ public record BidirectionalSettings(
         int splitting,
         boolean allLights,
         boolean causticMap,
+        boolean lensHits,
         int minDepth) {
     /** Where Russian roulette is played. */
     public enum Roulette {
@@ -110,7 +113,14 @@ public record BidirectionalSettings(
                     List.of("one", "all"),
                     "one: a light is chosen by its power for the light path, and by its effect for each light sample;"
                             + " all: every light gets a light path and a light sample. Does not change the mean."),
-            CAUSTIC_MAP);
+            CAUSTIC_MAP,
+            Parameter.flag(
+                    "lensHits",
+                    "Light paths that hit the lens",
+                    false,
+                    "Whether light paths count that hit a lens with an area by themselves: more help where a wide lens sees"
+                            + " caustics in mirrors or glass. Finds, besides, what no other way does: point lights, as the"
+                            + " discs that a lens makes of them, and their caustics in mirrors and glass."));
 
     /** The parameters of algorithms whose states are single samples: {@link #ofSingleSamples} makes settings from them. */
     public static final List<Parameter> SINGLE_SAMPLE_PARAMETERS = joined(
@@ -157,7 +167,7 @@ public record BidirectionalSettings(
         }
     }
 
-    /** Settings with which paths of all lengths count. */
+    /** Settings with which paths of all lengths count, but hits of the lens do not. */
     public BidirectionalSettings(
             int maxEyeDepth,
             int maxLightDepth,
@@ -178,6 +188,7 @@ public record BidirectionalSettings(
                 splitting,
                 allLights,
                 causticMap,
+                false,
                 1);
     }
 
@@ -203,7 +214,14 @@ public record BidirectionalSettings(
                 values.integer("rrDepth"),
                 values.integer("splitting"),
                 values.choice("lightsPerPath").equals("all"),
-                values.flag("causticMap"));
+                values.flag("causticMap"),
+                values.flag("lensHits"),
+                1);
+    }
+
+    /** A roulette for occlusion tests as the settings want it. */
+    ConnectionRoulette connectionRoulette() {
+        return new ConnectionRoulette(roulette == Roulette.EFFICIENCY);
     }
 
     /**
@@ -236,12 +254,13 @@ public record BidirectionalSettings(
                 splitting,
                 allLights,
                 causticMap,
+                lensHits,
                 edges);
     }
 
     /**
-     * The same settings for samples that depend on nothing but their numbers: with one light subpath, without splitting, and without
-     * the roulette for occlusion tests, which goes by the samples before.
+     * The same settings for samples that depend on nothing but their numbers: with one light subpath, without splitting, without hits
+     * of the lens, and without the roulette for occlusion tests, which goes by the samples before.
      */
     public BidirectionalSettings singleSample() {
         return new BidirectionalSettings(
@@ -254,21 +273,7 @@ public record BidirectionalSettings(
                 1,
                 false,
                 causticMap,
-                minDepth);
-    }
-
-    /** The same settings without the roulette for occlusion tests. */
-    public BidirectionalSettings withoutConnectionRoulette() {
-        return new BidirectionalSettings(
-                maxEyeDepth,
-                maxLightDepth,
-                maxDepth,
-                heuristicExponent,
-                roulette == Roulette.NONE ? Roulette.NONE : Roulette.THROUGHPUT,
-                rrDepth,
-                splitting,
-                allLights,
-                causticMap,
+                false,
                 minDepth);
     }
 
@@ -282,25 +287,33 @@ public record BidirectionalSettings(
         return roulette == Roulette.NONE ? Integer.MAX_VALUE : rrDepth;
     }
 
+    /** What can be sampled with a camera. */
+    TechniqueLimits limits(Camera camera) {
+        return limits(camera.isParallel(), camera.hasLensArea());
+    }
+
     /**
      * What can be sampled.
      *
      * @param parallelFilm whether the camera sees along a single direction
+     * @param lensArea whether rays can hit the lens
      */
-    TechniqueLimits limits(boolean parallelFilm) {
+    TechniqueLimits limits(boolean parallelFilm, boolean lensArea) {
+        boolean hits = lensHits && lensArea;
         int eye = limit(maxEyeDepth);
         int light = limit(maxLightDepth);
         if (maxDepth >= 0) {
             eye = (int) Math.min(eye, maxDepth + 1L);
-            light = Math.min(light, maxDepth);
+            light = (int) Math.min(light, hits ? maxDepth + 1L : maxDepth);
         }
-        return new TechniqueLimits(eye, light, causticMap, parallelFilm);
+        return new TechniqueLimits(eye, light, causticMap, parallelFilm, hits);
     }
 
     /** Whether light paths bring something to the lens. */
     boolean splats() {
-        TechniqueLimits limits = limits(false);
-        return limits.lens() && (limits.maxLightVertices() > 1 || limits.emitterAtLens());
+        TechniqueLimits limits = limits(false, true);
+        boolean longer = limits.maxLightVertices() > 1;
+        return (longer && (limits.lens() || limits.lensHits())) || limits.emitterAtLens();
     }
 
     /** Largest number of vertices of a full path. */

@@ -14,9 +14,10 @@ import org.daybreak.tracing.LensConnection;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The light image: what light subpaths bring straight to the lens, technique t = 1 (the thesis' class of that name, §4.2). The
- * film position is found and not chosen, so the contributions are splats, which the film gathers apart, filters like
- * samples and divides by the number of light subpaths. One object per worker; its splats go into the buffer of the work unit.
+ * The light image: what light subpaths bring to the lens, technique t = 1 (the thesis' class of that name, §4.2), and t = 0 where
+ * they hit it by themselves. The film position is found and not chosen, so the contributions are splats, which the film gathers
+ * apart, filters like samples and divides by the number of light subpaths. One object per worker; its splats go into the
+ * buffer of the work unit.
  */
 final class CausticMap {
     private final Scene scene;
@@ -27,6 +28,8 @@ final class CausticMap {
     private final boolean emitters;
     private final boolean lensArea;
     private final double perPixel;
+    private final long minVertices;
+    private final long maxVertices;
     private final Contribution contribution;
     private final Contribution.@Nullable Listener listener;
     private SplatBuffer splats = new SplatBuffer();
@@ -38,6 +41,8 @@ final class CausticMap {
     /**
      * Creates a map.
      *
+     * @param minVertices smallest number of vertices of a full path
+     * @param maxVertices largest number of vertices of a full path
      * @param emitters whether lights are joined to the lens themselves: {@link TechniqueLimits#emitterAtLens}
      */
     CausticMap(
@@ -49,6 +54,8 @@ final class CausticMap {
             LightDensities lights,
             Contribution contribution,
             Contribution.@Nullable Listener listener,
+            long minVertices,
+            long maxVertices,
             boolean emitters) {
         this.scene = scene;
         this.complement = complement;
@@ -58,6 +65,8 @@ final class CausticMap {
         this.lens = lens;
         this.contribution = contribution;
         this.listener = listener;
+        this.minVertices = minVertices;
+        this.maxVertices = maxVertices;
         lensArea = camera.hasLensArea();
         perPixel = 1 / ((double) camera.width() * camera.height());
     }
@@ -84,10 +93,8 @@ final class CausticMap {
      *
      * @param path the subpath; of length 0 if nothing was emitted
      * @param index its light
-     * @param minVertices smallest number of vertices of a full path
-     * @param maxVertices largest number of vertices of a full path
      */
-    void add(PathValues path, int index, int subpath, long minVertices, long maxVertices, Sampler sampler) {
+    void add(PathValues path, int index, int subpath, Sampler sampler) {
         if (minVertices <= 2 && maxVertices >= 2) {
             addEmitter(path, index, subpath, sampler);
         }
@@ -111,8 +118,7 @@ final class CausticMap {
         SurfacePoint y = path.points[e];
         Bsdf bsdf = path.bsdfs[e];
         if (lens.aimFromSurface(y, bsdf, path.backX[e], path.backY[e], path.backZ[e], lensU, lensV)) {
-            double weight =
-                    complement.lens(path, e + 1, lens.lens().wiX, lens.lens().wiY, lens.lens().wiZ, lens.filmDensity());
+            double weight = complement.lens(path, e + 1, lens.lens(), lens.filmDensity(), lens.scatteringDensity());
             splat(y, e + 1, index, weight, path.throughputR[e], path.throughputG[e], path.throughputB[e]);
         }
     }
@@ -137,12 +143,13 @@ final class CausticMap {
             double density = lens.aimFromInfinity(light, s, t, lensU, lensV);
             if (density > 0) {
                 double chosen = lights.emissionChoice(index);
-                double weight = complement.emitterAtLens(chosen * density, lens.filmDensity());
+                double weight = complement.emitterAtLens(
+                        index, path.points[0], lens.lens(), chosen * density, lens.filmDensity());
                 splat(path.points[0], 1, index, weight, 1 / chosen, 1 / chosen, 1 / chosen);
             }
         } else if (path.length() > 0 && lens.aimFromEmitter(light, path.points[0], lensU, lensV)) {
             double density = path.forward[0];
-            double weight = complement.emitterAtLens(density, lens.filmDensity());
+            double weight = complement.emitterAtLens(index, path.points[0], lens.lens(), density, lens.filmDensity());
             splat(path.points[0], 1, index, weight, 1 / density, 1 / density, 1 / density);
         }
     }
@@ -156,18 +163,23 @@ final class CausticMap {
         }
         double factor = weighted == 0 ? 1 : roulette.survive(weighted);
         if (factor == 0) {
+            if (listener != null) {
+                listener.leftOut(describe(s, 1, index, weight, r * value.r, g * value.g, b * value.b));
+            }
             return;
         }
         double visible = lens.transmittance(y);
         if (visible == 0) {
             if (listener != null) {
-                listener.occluded(describe(s, index, weight, factor * r, factor * g, factor * b));
+                listener.occluded(describe(
+                        s, 1, index, weight, factor * r * value.r, factor * g * value.g, factor * b * value.b));
             }
             return;
         }
         factor *= visible;
         if (listener != null) {
-            listener.found(describe(s, index, weight, factor * r, factor * g, factor * b));
+            listener.found(
+                    describe(s, 1, index, weight, factor * r * value.r, factor * g * value.g, factor * b * value.b));
         }
         double scale = factor * weight;
         LensSample at = lens.lens();
@@ -175,16 +187,40 @@ final class CausticMap {
         luminance += factor * weighted;
     }
 
-    private Contribution describe(int s, int index, double weight, double r, double g, double b) {
+    /**
+     * Adds a light subpath whose next ray hits the lens, at {@link LensConnection#lens} (t = 0). Nothing is left to be tested for
+     * occlusion.
+     *
+     * @param r red of the throughput along the ray
+     * @param density density per area with which the subpath samples the point of the lens
+     * @param filmDensity density of the subpath's end as sampled from the film
+     */
+    void addHit(PathValues path, double r, double g, double b, double density, double filmDensity) {
+        int s = path.length() + 1;
+        if (s < minVertices || s > maxVertices) {
+            return;
+        }
+        LensSample at = lens.lens();
+        double weight = complement.lensHit(path, at, density, filmDensity);
+        double importance = at.weight * at.density;
+        if (listener != null) {
+            listener.found(describe(s, 0, path.light[0], weight, importance * r, importance * g, importance * b));
+        }
+        double scale = weight * importance;
+        finite &= splats.add(at.filmX, at.filmY, scale * r, scale * g, scale * b);
+        luminance += perPixel * scale * Spectrum.luminance(r, g, b);
+    }
+
+    private Contribution describe(int s, int t, int index, double weight, double r, double g, double b) {
         Contribution c = contribution;
         c.s = s;
-        c.t = 1;
+        c.t = t;
         c.lightIndex = index;
         c.filmX = lens.lens().filmX;
         c.filmY = lens.lens().filmY;
-        c.r = r * lens.value().r;
-        c.g = g * lens.value().g;
-        c.b = b * lens.value().b;
+        c.r = r;
+        c.g = g;
+        c.b = b;
         c.lensU = lensU;
         c.lensV = lensV;
         c.weight = weight;

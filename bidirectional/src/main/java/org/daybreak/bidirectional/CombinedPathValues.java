@@ -10,10 +10,13 @@ import java.util.Arrays;
 public final class CombinedPathValues {
     private int length;
 
-    /** Density of each vertex as sampled from the light: per area, per solid angle at infinity. That of the lens is unused. */
+    /**
+     * Density of each vertex as sampled from the light: per area, per solid angle at infinity. That of the lens counts only where
+     * hits of it do.
+     */
     double[] fromLight = new double[16];
 
-    /** Density of each vertex as sampled from the lens. That of the lens itself is 1: it is the same in all techniques. */
+    /** Density of each vertex as sampled from the lens. That of the lens itself may be 1 if it is the same in all techniques. */
     double[] fromEye = new double[16];
 
     /** True if the path scatters at the vertex by a delta lobe, so that none of its edges can be connected there. */

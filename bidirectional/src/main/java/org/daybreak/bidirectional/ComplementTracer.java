@@ -1,5 +1,6 @@
 package org.daybreak.bidirectional;
 
+import org.daybreak.core.camera.LensSample;
 import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.light.Light;
 import org.daybreak.core.light.LightSample;
@@ -40,11 +41,17 @@ final class ComplementTracer {
     /** Density of y_{s−2} as sampled from y_{s−1}, coming from the eye subpath's end. */
     private double lightBefore;
 
-    /** Density of z_{t−1} as sampled from the light subpath's end; for s = 0 as the start of a light subpath. */
+    /**
+     * Density of z_{t−1} as sampled from the light subpath's end; for s = 0 as the start of a light subpath. For t ≤ 1 that of the
+     * lens, 0 if it cannot be hit.
+     */
     private double eyeEnd;
 
     /** Density of z_{t−2} as sampled from z_{t−1}, coming from the light subpath's end. */
     private double eyeBefore;
+
+    /** Density of the lens as sampled from the lens; for t ≤ 1. */
+    private double onLens;
 
     /** Densities of the point on the light as the start of a light subpath, and by next-event estimation. */
     private double first;
@@ -88,22 +95,25 @@ final class ComplementTracer {
                 * Densities.solidAngleToArea(densityFromEye, squared, y.geometricCosine(dx, dy, dz));
         eyeEnd = Densities.solidAngleToArea(densityFromLight, squared, z.geometricCosine(dx, dy, dz));
         lightBefore = densityBefore(lightPath, e, dx, dy, dz, TransportMode.RADIANCE);
-        eyeBefore = f > 1 ? densityBefore(eyePath, f, -dx, -dy, -dz, TransportMode.IMPORTANCE) : 0;
+        eyeBefore = densityBefore(eyePath, f, -dx, -dy, -dz, TransportMode.IMPORTANCE);
         return weight();
     }
 
     /**
      * Weight of an edge from a light subpath to the lens: t = 1, s ≥ 2.
      *
-     * @param dx unit direction from y_{s−1} to the lens
+     * @param lens point of the lens
      * @param filmDensity density per area of y_{s−1} as sampled from the film
+     * @param densityFromLight density per solid angle with which y_{s−1} scatters towards the lens
      */
-    double lens(PathValues lightPath, int lightVertices, double dx, double dy, double dz, double filmDensity) {
+    double lens(PathValues lightPath, int lightVertices, LensSample lens, double filmDensity, double densityFromLight) {
         join(lightPath, lightVertices, NONE, 1);
         int e = lightVertices - 1;
         lightEnd = filmDensity;
-        lightBefore = samples(lightPath.bsdfs[e]) * densityBefore(lightPath, e, dx, dy, dz, TransportMode.RADIANCE);
-        eyeEnd = 0;
+        lightBefore = samples(lightPath.bsdfs[e])
+                * densityBefore(lightPath, e, lens.wiX, lens.wiY, lens.wiZ, TransportMode.RADIANCE);
+        onLens = lens.densityPosition;
+        eyeEnd = limits.lensHits() ? densityFromLight / lens.density * onLens : 0;
         eyeBefore = 0;
         return weight();
     }
@@ -111,17 +121,44 @@ final class ComplementTracer {
     /**
      * Weight of a light that the lens sees directly, joined to it: t = 1, s = 1.
      *
+     * @param index the light
+     * @param onLight the point; of lights at infinity nothing but the direction counts
+     * @param lens point of the lens
      * @param density density of the point on the light, or of the direction to a light at infinity
      * @param filmDensity the same as sampled from the film
      */
-    double emitterAtLens(double density, double filmDensity) {
+    double emitterAtLens(int index, SurfacePoint onLight, LensSample lens, double density, double filmDensity) {
         join(NONE, 1, NONE, 1);
         lightEnd = filmDensity;
+        onLens = lens.densityPosition;
         eyeEnd = 0;
+        if (limits.lensHits()) {
+            lights.set(index, onLight, lens.point, -lens.wiX, -lens.wiY, -lens.wiZ, 1, 1);
+            eyeEnd = lights.second;
+        }
         first = density;
         nextEvent = density;
         hittable = true;
         return weight();
+    }
+
+    /**
+     * Weight of a light subpath whose next ray hits the lens: t = 0.
+     *
+     * @param lens the point of the lens
+     * @param density density per area with which the subpath samples it
+     * @param filmDensity density of the subpath's end as sampled from the film
+     */
+    double lensHit(PathValues lightPath, LensSample lens, double density, double filmDensity) {
+        join(lightPath, lightPath.length() + 1, NONE, 0);
+        onLens = lens.densityPosition;
+        lightEnd = onLens;
+        lightBefore = filmDensity;
+        eyeEnd = density;
+        eyeBefore = 0;
+        // Rare enough for the form that walks over the path, as the sums of light subpaths do not know where eye
+        // subpaths would split.
+        return MisWeight.weight(combine(), s, limits, exponent);
     }
 
     /**
@@ -151,7 +188,7 @@ final class ComplementTracer {
         first = lights.first;
         nextEvent = lights.nextEvent;
         eyeEnd = lights.second;
-        eyeBefore = f > 1 ? densityBefore(eyePath, f, sample.wiX, sample.wiY, sample.wiZ, TransportMode.IMPORTANCE) : 0;
+        eyeBefore = densityBefore(eyePath, f, sample.wiX, sample.wiY, sample.wiZ, TransportMode.IMPORTANCE);
         return weight();
     }
 
@@ -174,7 +211,7 @@ final class ComplementTracer {
             first = eyePath.infinite && limits.parallelFilm() ? lights.emissionChoice(index) : lights.first;
             nextEvent = first;
             eyeEnd = first;
-            eyeBefore = 0;
+            eyeBefore = limits.lensHits() ? lights.second : 0;
             return weight();
         }
         double chosen = 0;
@@ -250,22 +287,19 @@ final class ComplementTracer {
                     admissible,
                     power(lightBefore / light.forward[e - 1]),
                     light.tail[e - 1]);
-            if (t >= 2) {
-                sum += eyeChain(power(eyeEnd / eye.forward[t - 1]));
-            }
+            sum += t >= 2 ? eyeChain(power(eyeEnd / eye.forward[t - 1])) : power(eyeEnd / onLens);
         } else if (s == 1) {
             sum += hittable ? power(lightEnd / nextEvent) : 0;
-            if (t >= 2) {
-                sum += power(first / nextEvent) * eyeChain(power(eyeEnd / eye.forward[t - 1]));
-            }
+            sum += power(first / nextEvent)
+                    * (t >= 2 ? eyeChain(power(eyeEnd / eye.forward[t - 1])) : power(eyeEnd / onLens));
         } else {
             double own = eye.forward[t - 1];
             if (t == 2) {
                 sum += limits.emitterAtLens() ? power(first / own) : 0;
             } else {
                 sum += eye.delta[t - 2] ? 0 : power(nextEvent / own);
-                sum += power(first / own) * power(eyeBefore / eye.forward[t - 2]) * eye.tail[t - 2];
             }
+            sum += power(first / own) * power(eyeBefore / eye.forward[t - 2]) * eye.tail[t - 2];
         }
         return 1 / sum;
     }
@@ -288,17 +322,35 @@ final class ComplementTracer {
         path.setLength(k + 1);
         path.hittable = s >= 2 ? !light.deltaLight : hittable;
         for (int i = 0; i < s; i++) {
-            path.fromLight[i] = s == 1 ? first : light.forward[i];
+            path.fromLight[i] = s == 1 ? first : i == k && t == 0 ? eyeEnd : light.forward[i];
             path.fromEye[i] = i == s - 1 ? lightEnd : i == s - 2 ? lightBefore : light.reverse[i];
             path.delta[i] = i < s - 1 && light.delta[i];
         }
         for (int j = 0; j < t; j++) {
             int i = k - j;
-            path.fromEye[i] = j == 0 ? 1 : eye.forward[j];
+            path.fromEye[i] = t == 1 ? onLens : eye.forward[j];
             path.fromLight[i] = j == t - 1 ? eyeEnd : j == t - 2 ? eyeBefore : eye.reverse[j];
             path.delta[i] = j > 0 && j < t - 1 && eye.delta[j];
         }
         path.nextEvent = s >= 2 ? light.nextEventRatio * light.forward[0] : nextEvent;
+        if (t == 0) {
+            complete(path, k);
+        }
         return path;
+    }
+
+    /** What a light subpath that hits the lens does not know of the techniques with few vertices from the light. */
+    private void complete(CombinedPathValues path, int k) {
+        if (k == 1) {
+            path.nextEvent = light.forward[0];
+            return;
+        }
+        int fork = k - 1;
+        while (fork > 0 && !light.connectable[fork]) {
+            fork--;
+        }
+        if (fork > 0) {
+            path.fromEye[fork - 1] *= samples(light.bsdfs[fork]);
+        }
     }
 }

@@ -8,8 +8,8 @@ import org.daybreak.core.light.LightSample;
  * subpaths it is made of. Owned by one worker; valid during the call.
  *
  * <p>The light's vertices are {@link #light}[0…s−1] for s ≥ 2 and for t = 1, the point of {@link #lightSample} for s = 1, t ≥ 2,
- * and the last one of {@link #eye} for s = 0. The lens is {@link #eye}[0] for t ≥ 2 and the point of {@link #lens} for t = 1; with
- * s = t = 1 and a light at infinity {@link #lens} has the direction, too.
+ * and the last one of {@link #eye} for s = 0. The lens is {@link #eye}[0] for t ≥ 2 and the point of {@link #lens} for t ≤ 1; for t = 0 it
+ * takes the place of y_{s−1}. With s = t = 1 and a light at infinity {@link #lens} has the direction, too.
  */
 public final class Contribution {
     /** Told of contributions, for debug views and tests. */
@@ -20,6 +20,9 @@ public final class Contribution {
 
         /** Something would have been added, with the value that it has here, if no surface were in the way. */
         default void occluded(Contribution contribution) {}
+
+        /** Something with this value would have been tested for occlusion if the roulette had not left it out. */
+        default void leftOut(Contribution contribution) {}
 
         /**
          * A subpath has been traced and will be joined. Of an eye subpath that splits, first the part that all branches share, then
@@ -51,14 +54,14 @@ public final class Contribution {
 
     double filmY;
 
-    /** Numbers of the point on the lens. */
+    /** Numbers of the point on the lens; without meaning for t = 0. */
     double lensU;
 
     double lensV;
 
     /**
      * f/p, visibility and Russian roulette included, without the weight. Summed over a pixel it gives the pixel's radiance as this
-     * technique finds it, divided by the number of samples: of the pixel for t ≥ 2, of the whole image for t = 1.
+     * technique finds it, divided by the number of samples: of the pixel for t ≥ 2, of the whole image for t ≤ 1.
      */
     double r;
 
@@ -102,7 +105,7 @@ public final class Contribution {
         return lightSample;
     }
 
-    /** The lens sample, for t = 1. */
+    /** The lens sample, for t ≤ 1. */
     public LensSample lens() {
         return lens;
     }

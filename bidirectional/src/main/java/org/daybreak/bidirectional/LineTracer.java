@@ -42,8 +42,24 @@ public final class LineTracer {
         void met(PathValues path);
     }
 
+    /** Told of light paths whose ray hits the lens. */
+    @FunctionalInterface
+    interface LensHits {
+        /**
+         * The ray that leaves the last vertex of the path hits the lens, and goes on.
+         *
+         * @param r red of the throughput f/p along the ray
+         * @param density density per area with which the path samples the point of the lens
+         * @param filmDensity density of the last vertex as sampled from the film: per area, at infinity per solid angle
+         */
+        void hit(PathValues path, double r, double g, double b, double density, double filmDensity);
+    }
+
     /** Told of emission and does not care. */
     static final Emission NO_EMISSION = path -> {};
+
+    /** Told of hits of the lens and does not care. */
+    static final LensHits NO_HITS = (path, r, g, b, density, filmDensity) -> {};
 
     private final Scene scene;
     private final Camera camera;
@@ -52,6 +68,9 @@ public final class LineTracer {
     private final EmissionGuide guide;
     private final double exponent;
     private final boolean lensAdmissible;
+    private final boolean lensHits;
+    private final LensSample lens;
+    private LensHits hits = NO_HITS;
     private final int rrDepth;
     private final int splitting;
     private final double pixels;
@@ -118,7 +137,8 @@ public final class LineTracer {
      * @param guide of the worker
      * @param lights of the worker
      * @param exponent of the heuristic
-     * @param lensAdmissible whether technique t = 1 has a part in the weights
+     * @param limits what can be sampled
+     * @param lens set to the point of the lens where a light path hits it
      * @param rrDepth Russian roulette may end a subpath from this number of edges on
      * @param splitting number of ways in which eye subpaths go on from the first vertex that can be connected
      */
@@ -128,14 +148,17 @@ public final class LineTracer {
             EmissionGuide guide,
             LightDensities lights,
             double exponent,
-            boolean lensAdmissible,
+            TechniqueLimits limits,
+            LensSample lens,
             int rrDepth,
             int splitting) {
         this.scene = caster.scene();
         this.camera = camera;
         this.caster = caster;
         this.exponent = exponent;
-        this.lensAdmissible = lensAdmissible;
+        lensAdmissible = limits.lens();
+        lensHits = limits.lensHits();
+        this.lens = lens;
         this.rrDepth = rrDepth;
         this.splitting = splitting;
         this.guide = guide;
@@ -149,10 +172,10 @@ public final class LineTracer {
         if (!camera.sampleRay(0.5 * camera.width(), 0.5 * camera.height(), 0.5, 0.5, cameraRay)) {
             return 0;
         }
-        LensSample lens = new LensSample();
+        LensSample ahead = new LensSample();
         boolean seen = camera.sampleLens(
-                cameraRay.ox + cameraRay.dx, cameraRay.oy + cameraRay.dy, cameraRay.oz + cameraRay.dz, 0.5, 0.5, lens);
-        return seen ? lens.weight / pixels : 0;
+                cameraRay.ox + cameraRay.dx, cameraRay.oy + cameraRay.dy, cameraRay.oz + cameraRay.dz, 0.5, 0.5, ahead);
+        return seen ? ahead.weight / pixels : 0;
     }
 
     /** The ray that the last eye subpath started with. */
@@ -182,14 +205,18 @@ public final class LineTracer {
         if (!camera.sampleRay(filmX, filmY, lensU, lensV, cameraRay)) {
             return false;
         }
-        SurfacePoint lens = path.points[0];
-        lens.x = cameraRay.ox;
-        lens.y = cameraRay.oy;
-        lens.z = cameraRay.oz;
-        lens.offset = 0;
-        lens.shape = -1;
-        path.start(cameraRay.weight, cameraRay.weight, cameraRay.weight, 1, -1);
-        path.tail[0] = 0;
+        SurfacePoint z0 = path.points[0];
+        z0.x = cameraRay.ox;
+        z0.y = cameraRay.oy;
+        z0.z = cameraRay.oz;
+        z0.gx = cameraRay.normalX;
+        z0.gy = cameraRay.normalY;
+        z0.gz = cameraRay.normalZ;
+        z0.offset = 0;
+        z0.shape = -1;
+        double onLens = lensHits ? cameraRay.densityPosition : 1;
+        path.start(cameraRay.weight, cameraRay.weight, cameraRay.weight, onLens, -1);
+        path.tail[0] = lensHits ? 1 : 0;
         begin(path, TransportMode.RADIANCE, cameraRay.dx, cameraRay.dy, cameraRay.dz, maxVertices, 0);
         kind = RayKind.CAMERA;
         parallel = camera.isParallel();
@@ -235,9 +262,18 @@ public final class LineTracer {
      * @param subpath number of the light subpath within the sample: for dimensions
      * @param maxVertices largest number of vertices, at least 1
      * @param path receives the subpath; of length 0 if the light emits nothing
+     * @param lensHit told of hits of the lens, which is one of so many vertices then
      */
-    void traceLight(int index, double chosen, int subpath, int maxVertices, Sampler sampler, PathValues path) {
+    void traceLight(
+            int index,
+            double chosen,
+            int subpath,
+            int maxVertices,
+            Sampler sampler,
+            PathValues path,
+            LensHits lensHit) {
         path.setLength(0);
+        hits = lensHit;
         Light light = scene.light(index);
         sampler.setDimension(Dimensions.lightPath(0, subpath));
         double u = sampler.next();
@@ -341,9 +377,14 @@ public final class LineTracer {
         SurfacePoint from = path.points[i - 1];
         SurfacePoint here = path.points[i];
         while (true) {
+            // Behind a mask that was passed, the origin is where the next hit will be written.
+            double passed = lensHits && !eye ? squaredDistance(from, origin) : 0;
             boolean found = kind == RayKind.CAMERA
                     ? caster.trace(origin.x, origin.y, origin.z, dx, dy, dz, kind, here)
                     : caster.trace(origin, dx, dy, dz, kind, here);
+            if (lensHits && !eye) {
+                meetLens(i, from, passed, found ? squaredDistance(from, here) : Double.POSITIVE_INFINITY);
+            }
             surface++;
             path.backX[i] = -dx;
             path.backY[i] = -dy;
@@ -359,9 +400,8 @@ public final class LineTracer {
             double squared = squaredDistance(from, here);
             double cosine = Math.abs(here.geometricCosine(dx, dy, dz));
             path.forward[i] = parallel ? density * cosine : Densities.solidAngleToArea(density, squared, cosine);
-            path.toPrevious[i] = i > 1
-                    ? Densities.solidAngleToArea(1, squared, from.geometricCosine(dx, dy, dz))
-                    : eye ? 0 : toLight(path, squared, dx, dy, dz);
+            path.toPrevious[i] =
+                    i > 1 ? Densities.solidAngleToArea(1, squared, from.geometricCosine(dx, dy, dz)) : toFirst(squared);
             Bsdf bsdf = scene.bsdf(here.shape);
             path.bsdfs[i] = bsdf;
             path.connectable[i] = bsdf.connectable();
@@ -391,6 +431,29 @@ public final class LineTracer {
             path.nextEventRatio = path.connectable[1] ? lights.nextEvent(path) / path.forward[0] : 0;
         }
         return path.length() < maxVertices;
+    }
+
+    /**
+     * Looks whether the ray in hand of a light subpath hits the lens.
+     *
+     * @param from the vertex that the ray comes from
+     * @param passed squared distance from there to where the ray has its origin: at a mask if it has passed one
+     * @param end squared distance to where it ends
+     */
+    private void meetLens(int i, SurfacePoint from, double passed, double end) {
+        if (!camera.hitLens(from.x, from.y, from.z, dx, dy, dz, lens)) {
+            return;
+        }
+        double squared = lens.distance * lens.distance;
+        if (squared < passed || squared >= end) {
+            return;
+        }
+        double cosine = lens.point.geometricCosine(dx, dy, dz);
+        double onLens = parallel ? density * Math.abs(cosine) : Densities.solidAngleToArea(density, squared, cosine);
+        double filmPerArea = lens.weight / pixels;
+        double filmDensity =
+                filmPerArea * (i == 1 && path.infinite ? squared : Math.abs(from.geometricCosine(dx, dy, dz)));
+        hits.hit(path, r, g, b, onLens, filmDensity);
     }
 
     /** The ray in hand has left the scene: lights at infinity are a vertex for as long as it takes to gather them. */
@@ -500,9 +563,9 @@ public final class LineTracer {
                 : admissible + MisWeight.power(path.reverse[i - 1] / path.forward[i - 1], exponent) * before;
     }
 
-    /** {@link PathValues#toPrevious} of y₁. */
-    private static double toLight(PathValues path, double squared, double dx, double dy, double dz) {
-        if (path.deltaLight) {
+    /** {@link PathValues#toPrevious} of vertex 1. */
+    private double toFirst(double squared) {
+        if (eye ? !lensHits : path.deltaLight) {
             return 0;
         }
         return path.infinite ? 1 : Densities.solidAngleToArea(1, squared, path.points[0].geometricCosine(dx, dy, dz));

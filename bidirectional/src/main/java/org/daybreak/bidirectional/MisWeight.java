@@ -4,10 +4,10 @@ package org.daybreak.bidirectional;
  * Weights of multiple importance sampling for full paths x₀…x_k, x₀ on the light and x_k on the lens (Veach 1997, eq. 8.8
  * and §10.2; thesis eq. 4.6): w_s = p_s^β / Σ_i p_i^β over the techniques i that the configuration can sample. Pure functions.
  *
- * <p>Technique s takes s vertices from the light and k+1−s from the lens. With L_i and E_i the densities of x_i from the light
- * and from the lens, and N that of x₀ by next-event estimation, which technique 1 samples it with,
+ * <p>Technique s takes s vertices from the light and k+1−s from the lens; technique k+1 hits the lens. With L_i and E_i the
+ * densities of x_i from the light and from the lens, and N that of x₀ by next-event estimation, which technique 1 samples it with,
  *
- * <pre>p_0 = E₀E₁…,  p_1 = N·E₁E₂…,  p_s = L₀…L_{s−1}·E_s E_{s+1}…</pre>
+ * <pre>p_0 = E₀E₁…E_k,  p_1 = N·E₁E₂…E_k,  p_s = L₀…L_{s−1}·E_s E_{s+1}…E_k,  p_{k+1} = L₀…L_k</pre>
  *
  * <p>There are two forms. {@link #weight} walks over the arrays of densities of a {@link CombinedPathValues} and knows all limits.
  * {@link #chain} goes with sums that {@link LineTracer} makes while it extends a subpath, and costs the same for any length.
@@ -66,7 +66,7 @@ final class MisWeight {
             }
         }
         ratio = 1;
-        for (int i = s + 1; i < path.length(); i++) {
+        for (int i = s + 1; i <= path.length(); i++) {
             if (i > 1) {
                 ratio *= fromLight[i - 1] / fromEye[i - 1];
             }

@@ -45,7 +45,10 @@ public final class PathValues {
     double[] backY = new double[0];
     double[] backZ = new double[0];
 
-    /** Density as sampled by this walk; see the class comment. That of vertex 0 includes the choice of the light. */
+    /**
+     * Density as sampled by this walk; see the class comment. That of vertex 0 includes the choice of the light; of the lens it is
+     * 1 if light paths that hit it have no part in the weights.
+     */
     double[] forward = new double[0];
 
     /** Density as if sampled from the next vertex, coming from the one after; known for vertices with two after them. */

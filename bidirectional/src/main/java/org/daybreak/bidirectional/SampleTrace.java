@@ -14,14 +14,15 @@ import org.daybreak.core.render.SampleRequest;
 import org.daybreak.core.sampling.Sampler;
 import org.daybreak.core.scene.RayKind;
 import org.daybreak.core.scene.Scene;
+import org.daybreak.tracing.EarlierSamples;
 import org.daybreak.tracing.PixelSampling;
 import org.daybreak.tracing.RaySample;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Computes one sample as a render does and records its subpaths and what became of each technique (s, t). The roulette for tests of
- * occlusion depends on the samples before: here it leaves nothing out, so that contributions are those before their division
- * by the probability of survival.
+ * occlusion learns from the samples before in the tile, so these are computed first, unless their numbers depend on the
+ * whole image: then it leaves nothing out, and contributions are those before their division by the probability of survival.
  */
 final class SampleTrace implements Contribution.Listener {
     private final Scene scene;
@@ -42,7 +43,7 @@ final class SampleTrace implements Contribution.Listener {
 
     private SampleTrace(Scene scene, Camera camera, BidirectionalSettings settings) {
         this.scene = scene;
-        limits = settings.limits(camera.isParallel());
+        limits = settings.limits(camera);
         maxVertices = settings.maxVertices();
         allLights = settings.allLights();
     }
@@ -50,16 +51,25 @@ final class SampleTrace implements Contribution.Listener {
     /** Computes a sample. */
     static SampleRecord of(Scene scene, Camera camera, BidirectionalSettings settings, SampleRequest request) {
         boolean efficiency = settings.roulette() == BidirectionalSettings.Roulette.EFFICIENCY;
+        boolean known = request.antialiasing().allocation().isEmpty();
         SampleTrace trace = new SampleTrace(scene, camera, settings);
-        BiDirectionalProcessor processor = new BiDirectionalProcessor(
-                scene, camera, false, efficiency ? settings.withoutConnectionRoulette() : settings, trace);
+        ConnectionRoulette roulette = known ? settings.connectionRoulette() : new ConnectionRoulette(false);
+        if (efficiency && known) {
+            // Without a listener, as in the render: it has rays traced for contributions without weight.
+            EarlierSamples.trace(request, new BiDirectionalProcessor(scene, camera, false, settings, null, roulette));
+        }
+        BiDirectionalProcessor processor = new BiDirectionalProcessor(scene, camera, false, settings, trace, roulette);
         PixelSampling position = PixelSampling.of(request);
         RaySample sample = new RaySample();
-        processor.beginUnit();
         Sampler sampler = position.start(request);
         boolean finite = processor.trace(position.filmX, position.filmY, sampler, sample, new SplatBuffer());
         List<String> notes = new ArrayList<>();
-        if (efficiency) {
+        if (efficiency && known) {
+            notes.add(
+                    "the roulette that leaves out occlusion tests is that of a render of the whole image which its number"
+                            + " of samples ends: a crop, or a limit of time, has another; survivors are divided by their"
+                            + " probability");
+        } else if (efficiency) {
             notes.add(
                     "the roulette that leaves out occlusion tests depends on the samples before and is off here: in the"
                             + " render, small contributions may be missing, or divided by their probability of survival");
@@ -136,7 +146,7 @@ final class SampleTrace implements Contribution.Listener {
 
     @Override
     public void found(Contribution c) {
-        add(c, c.t == 1 ? Outcome.SPLATTED : Outcome.ADDED);
+        add(c, c.t <= 1 ? Outcome.SPLATTED : Outcome.ADDED);
     }
 
     @Override
@@ -144,9 +154,14 @@ final class SampleTrace implements Contribution.Listener {
         add(c, Outcome.OCCLUDED);
     }
 
+    @Override
+    public void leftOut(Contribution c) {
+        add(c, Outcome.ROULETTE);
+    }
+
     private void add(Contribution c, Outcome outcome) {
         // An eye subpath meets lights while it is traced, and is joined afterwards.
-        int eyePath = c.t == 1 ? -1 : c.s == 0 ? eyePaths.size() : eyePaths.size() - 1;
+        int eyePath = c.t <= 1 ? -1 : c.s == 0 ? eyePaths.size() : eyePaths.size() - 1;
         found.add(new SampleRecord.Contribution(
                 c.s,
                 c.t,
@@ -166,7 +181,10 @@ final class SampleTrace implements Contribution.Listener {
             lightVertices = Math.max(lightVertices, path.connectable.size());
         }
         List<SampleRecord.Contribution> all = new ArrayList<>();
-        for (int s = 0; s <= lightVertices; s++) {
+        for (int s = 0; s <= lightVertices + 1; s++) {
+            if (s > 1 && limits.lensHits()) {
+                addAll(s, 0, -1, all);
+            }
             if (s > 0) {
                 addAll(s, 1, -1, all);
             }
@@ -193,7 +211,8 @@ final class SampleTrace implements Contribution.Listener {
             return;
         }
         for (LightPath path : lightPaths) {
-            if (s <= Math.max(1, path.connectable.size()) && !addFound(s, t, eyePath, path, all)) {
+            int longest = Math.max(1, path.connectable.size()) + (t == 0 ? 1 : 0);
+            if (s <= longest && !addFound(s, t, eyePath, path, all)) {
                 all.add(nothing(s, t, eyePath, path));
             }
         }
@@ -230,6 +249,7 @@ final class SampleTrace implements Contribution.Listener {
         }
         boolean eyeDelta = s > 0 && t > 1 && !eyePaths.get(eyePath).connectable.get(t - 1);
         boolean lightDelta = path != null
+                && t > 0
                 && (s > 1
                         ? !path.connectable.get(s - 1)
                         : t == 1 && scene.light(path.light).isDelta());

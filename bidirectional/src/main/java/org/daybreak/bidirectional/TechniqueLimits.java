@@ -7,11 +7,12 @@ package org.daybreak.bidirectional;
  * @param maxLightVertices largest s, at least 0
  * @param lens whether t = 1 is among them
  * @param parallelFilm whether the camera sees along a single direction, so that what is at infinity is sampled by film position
+ * @param lensHits whether t = 0 is among them: light subpaths that hit the lens
  */
-record TechniqueLimits(int maxEyeVertices, int maxLightVertices, boolean lens, boolean parallelFilm) {
+record TechniqueLimits(int maxEyeVertices, int maxLightVertices, boolean lens, boolean parallelFilm, boolean lensHits) {
     /** True if no technique of a path with so many vertices is beyond the limits of depth. */
     boolean leaveAll(int vertices) {
-        return vertices <= maxEyeVertices && vertices - 1 <= maxLightVertices;
+        return vertices <= maxEyeVertices && vertices - (lensHits ? 0 : 1) <= maxLightVertices;
     }
 
     /**
@@ -25,8 +26,11 @@ record TechniqueLimits(int maxEyeVertices, int maxLightVertices, boolean lens, b
     /** True if technique s can make the path. */
     boolean admits(CombinedPathValues path, int s) {
         int t = path.length() - s;
-        if (t < 1 || t > maxEyeVertices || s > maxLightVertices || (t == 1 && !(s == 1 ? emitterAtLens() : lens))) {
+        if (t < 0 || t > maxEyeVertices || s > maxLightVertices || (t == 1 && !(s == 1 ? emitterAtLens() : lens))) {
             return false;
+        }
+        if (t == 0) {
+            return lensHits;
         }
         return s == 0 ? path.hittable : !path.delta[s - 1] && !path.delta[s];
     }

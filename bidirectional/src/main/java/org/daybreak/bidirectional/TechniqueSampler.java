@@ -22,7 +22,7 @@ public final class TechniqueSampler {
     /** Creates a sampler of techniques. */
     public TechniqueSampler(Scene scene, Camera camera, BidirectionalSettings settings) {
         BidirectionalSettings single = settings.singleSample();
-        limits = single.limits(camera.isParallel());
+        limits = single.limits(camera);
         processor = new BiDirectionalProcessor(scene, camera, false, single, Integer.MAX_VALUE, null);
     }
 

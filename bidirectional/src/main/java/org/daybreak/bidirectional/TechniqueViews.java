@@ -60,19 +60,20 @@ final class TechniqueViews implements FurtherImages {
      */
     TechniqueViews(BidirectionalSettings settings, int longest) {
         // Which way a camera sees has no part in what is admissible.
-        TechniqueLimits limits = settings.limits(false);
+        TechniqueLimits limits = settings.limits(false, true);
         long mostEdges =
                 Math.min(settings.maxVertices() - 1, (long) limits.maxEyeVertices() + limits.maxLightVertices() - 1);
         edges = (int) Math.min(longest, mostEdges);
         longer = mostEdges > edges;
-        numbers = new int[edges + 1][edges + 2];
+        numbers = new int[edges + 2][edges + 2];
         for (int[] row : numbers) {
             Arrays.fill(row, -1);
         }
         for (int k = 1; k <= edges; k++) {
-            for (int s = 0; s <= k; s++) {
+            for (int s = 0; s <= k + 1; s++) {
                 int t = k + 1 - s;
-                boolean joined = t > 1 || (s == 1 ? limits.emitterAtLens() : limits.lens());
+                boolean joined =
+                        t > 1 || (t == 0 ? limits.lensHits() : s == 1 ? limits.emitterAtLens() : limits.lens());
                 if (s <= limits.maxLightVertices() && t <= limits.maxEyeVertices() && joined) {
                     numbers[s][t] = techniques.size();
                     techniques.add(new Technique(s, t));
@@ -170,7 +171,7 @@ final class TechniqueViews implements FurtherImages {
             double r = weight * c.r;
             double g = weight * c.g;
             double b = weight * c.b;
-            if (c.t == 1) {
+            if (c.t <= 1) {
                 values.splat(image, c.filmX, c.filmY, r, g, b);
             } else {
                 values.add(image, r, g, b);

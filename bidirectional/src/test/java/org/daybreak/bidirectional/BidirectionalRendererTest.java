@@ -29,7 +29,8 @@ class BidirectionalRendererTest {
     @Test
     void defaultsHaveNoLimits() {
         assertEquals(
-                new BidirectionalSettings(-1, -1, -1, 2, BidirectionalSettings.Roulette.EFFICIENCY, 3, 2, false, true),
+                new BidirectionalSettings(
+                        -1, -1, -1, 2, BidirectionalSettings.Roulette.EFFICIENCY, 3, 2, false, true, false, 1),
                 parse(Map.of()));
     }
 
@@ -58,6 +59,7 @@ class BidirectionalRendererTest {
         "splitting, 0",
         "lightsPerPath, two",
         "causticMap, 1",
+        "lensHits, 1",
     })
     void wrongValuesAreNamed(String name, String value) {
         ParameterException e = assertThrows(ParameterException.class, () -> parse(Map.of(name, value)));
@@ -85,14 +87,18 @@ class BidirectionalRendererTest {
 
     /** After warming up, samples are taken without allocation; the limit is 1 byte per sample. */
     @ParameterizedTest
-    @CsvSource({"one, 1", "one, 3", "all, 1"})
-    void samplesAllocateNothing(String lights, String splitting) {
-        Scene scene = TestScenes.everything(24, 18);
+    @CsvSource({"one, 1, false", "one, 3, false", "all, 1, false", "one, 2, true"})
+    void samplesAllocateNothing(String lights, String splitting, String lensHits) {
+        Scene scene = lensHits.equals("true") ? TestScenes.glassThroughWideLens(24, 18) : TestScenes.everything(24, 18);
         Sampler sampler = new SobolSampling().newSampler(1, 64);
         RaySample sample = new RaySample();
         SplatBuffer splats = new SplatBuffer();
         BiDirectionalProcessor processor = new BiDirectionalProcessor(
-                scene, scene.camera(), true, parse(Map.of("lightsPerPath", lights, "splitting", splitting)), null);
+                scene,
+                scene.camera(),
+                true,
+                parse(Map.of("lightsPerPath", lights, "splitting", splitting, "lensHits", lensHits)),
+                null);
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         int samples = 24 * 18 * 16;
         for (int round = 0; ; round++) {

@@ -54,15 +54,24 @@ class TechniqueViewsTest {
     /** Paths of k edges can be made in k + 1 ways with t ≥ 1, one less without t = 1, and for k = 1 in one. */
     @ParameterizedTest
     @CsvSource({
-        "-1, -1, -1, 3, true, 8, true",
-        "-1, -1, -1, 3, false, 6, true",
-        "-1, -1, 3, 3, true, 8, false",
-        "-1, -1, 2, 6, true, 4, false",
-        "2, 1, -1, 6, true, 2, false",
-        "1, 3, -1, 6, true, 3, false"
+        "-1, -1, -1, 3, true, false, 8, true",
+        "-1, -1, -1, 3, false, false, 6, true",
+        "-1, -1, 3, 3, true, false, 8, false",
+        "-1, -1, 2, 6, true, false, 4, false",
+        "2, 1, -1, 6, true, false, 2, false",
+        "1, 3, -1, 6, true, false, 3, false",
+        "-1, -1, -1, 3, true, true, 11, true",
+        "-1, -1, 3, 3, true, true, 11, false"
     })
     void techniquesOfTheConfiguration(
-            String eye, String light, String edges, String shown, String lens, int techniques, boolean longer) {
+            String eye,
+            String light,
+            String edges,
+            String shown,
+            String lens,
+            String lensHits,
+            int techniques,
+            boolean longer) {
         FurtherImages views = views(
                 "techniques",
                 "x",
@@ -75,7 +84,9 @@ class TechniqueViewsTest {
                 "techniquesDepth",
                 shown,
                 "causticMap",
-                lens);
+                lens,
+                "lensHits",
+                lensHits);
         assertEquals(2 * techniques + (longer ? 1 : 0), views.count());
         ImageSheet sheet = sheet(views);
         assertEquals(longer, sheet.rows().contains("longer paths"));

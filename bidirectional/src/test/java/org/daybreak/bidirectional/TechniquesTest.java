@@ -52,7 +52,19 @@ class TechniquesTest {
             boolean allLights,
             int splitting,
             int samplesPerPixel,
-            double detectable) {
+            double detectable,
+            boolean lensHits) {
+        Subject(
+                String name,
+                IntFunction<Scene> maker,
+                boolean hittable,
+                boolean allLights,
+                int splitting,
+                int samplesPerPixel,
+                double detectable) {
+            this(name, maker, hittable, allLights, splitting, samplesPerPixel, detectable, false);
+        }
+
         @Override
         public String toString() {
             return name + (allLights ? ", all lights" : "") + (splitting > 1 ? ", split" : "");
@@ -63,6 +75,9 @@ class TechniquesTest {
         return Stream.of(
                 new Subject("room", TestScenes::room, true, false, 1, 40, 0.15),
                 new Subject("room through a lens", TestScenes::roomThroughLens, true, false, 1, 40, 0.15),
+                new Subject("wide lens", TestScenes::roomThroughWideLens, true, false, 1, 40, 0.15, true),
+                new Subject("wide lens", TestScenes::roomThroughWideLens, true, false, 3, 40, 0.15, true),
+                new Subject("wide lens", TestScenes::roomThroughWideLens, true, true, 1, 40, 0.15, true),
                 new Subject("room of parallel rays", TestScenes::roomOfParallelRays, true, true, 1, 40, 0.15),
                 new Subject("rough glass", TestScenes::roughGlass, true, false, 1, 40, 0.15),
                 new Subject("rough glass", TestScenes::roughGlass, true, false, 3, 40, 0.15),
@@ -92,25 +107,19 @@ class TechniquesTest {
         Scene scene = subject.maker.apply(SIZE);
         Run[] runs = new Run[RUNS];
         for (int i = 0; i < RUNS; i++) {
-            runs[i] = new Run(
-                    scene,
-                    subject.hittable,
-                    subject.allLights,
-                    subject.splitting,
-                    100 + i,
-                    factor * subject.samplesPerPixel);
+            runs[i] = new Run(scene, subject, 100 + i, factor * subject.samplesPerPixel);
         }
         List<String> names = new ArrayList<>();
         List<double[]> all = new ArrayList<>();
         for (int k = 2; k <= EDGES; k++) {
             int edges = k;
             double[][] expected = tiles(runs, run -> run.techniques[edges][1]);
-            for (int s = 0; s <= k + 1; s++) {
-                if (s == 1 || (s == 0 && !subject.hittable)) {
+            for (int s = 0; s <= k + 2; s++) {
+                if (s == 1 || (s == 0 && !subject.hittable) || (s == k + 1 && !subject.lensHits)) {
                     continue;
                 }
                 int technique = s;
-                boolean sum = s == k + 1;
+                boolean sum = s == k + 2;
                 double[][] actual = tiles(runs, run -> sum ? run.weighted[edges] : run.techniques[edges][technique]);
                 String name = subject + ", " + k + " edges, " + (sum ? "weighted" : "s = " + s);
                 assertTrue(Arrays.stream(actual).anyMatch(run -> run[TILES] > 0), () -> name + ": nothing is found");
@@ -156,18 +165,28 @@ class TechniquesTest {
 
     /** An image for each number of edges and each technique. */
     private static final class Run implements Contribution.Listener {
-        final double[][][] techniques = new double[EDGES + 1][EDGES + 1][TILES];
+        final double[][][] techniques = new double[EDGES + 1][EDGES + 2][TILES];
         final double[][] weighted = new double[EDGES + 1][TILES];
         private final Scene scene;
         private final boolean hittable;
         private final int samplesPerPixel;
 
-        Run(Scene scene, boolean hittable, boolean allLights, int splitting, long seed, int samplesPerPixel) {
+        Run(Scene scene, Subject subject, long seed, int samplesPerPixel) {
             this.scene = scene;
-            this.hittable = hittable;
+            hittable = subject.hittable;
             this.samplesPerPixel = samplesPerPixel;
             BidirectionalSettings settings = new BidirectionalSettings(
-                    -1, -1, EDGES, 2, BidirectionalSettings.Roulette.THROUGHPUT, 2, splitting, allLights, true);
+                    -1,
+                    -1,
+                    EDGES,
+                    2,
+                    BidirectionalSettings.Roulette.THROUGHPUT,
+                    2,
+                    subject.splitting,
+                    subject.allLights,
+                    true,
+                    subject.lensHits,
+                    1);
             Camera camera = scene.camera();
             BiDirectionalProcessor processor = new BiDirectionalProcessor(scene, camera, false, settings, this);
             Sampler sampler = new SobolSampling().newSampler(seed, samplesPerPixel);
@@ -193,7 +212,7 @@ class TechniquesTest {
             int k = c.s + c.t - 1;
             int tile = ((int) (c.filmY / TILE)) * (SIZE / TILE) + (int) (c.filmX / TILE);
             // Splats of all samples land in a pixel, and each stands for as many pixels as there are.
-            double samples = (c.t == 1 ? (double) SIZE * SIZE : 1) * samplesPerPixel * TILE * TILE;
+            double samples = (c.t <= 1 ? (double) SIZE * SIZE : 1) * samplesPerPixel * TILE * TILE;
             double value = Spectrum.luminance(c.r, c.g, c.b) / samples;
             techniques[k][c.s][tile] += value;
             weighted[k][tile] += c.weight * value;

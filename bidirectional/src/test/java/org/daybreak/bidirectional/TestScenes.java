@@ -52,6 +52,34 @@ final class TestScenes {
                 .compile();
     }
 
+    /** As {@link #room}, through a lens that light paths often hit. */
+    static Scene roomThroughWideLens(int size) {
+        return new TestScenes()
+                .hall()
+                .disk()
+                .balls(diffuse(0.6))
+                .look(size, 0.4)
+                .compile();
+    }
+
+    /** A room with a ball of clear glass and a veil through a wide lens. */
+    static Scene glassThroughWideLens(int width, int height) {
+        TestScenes scene = new TestScenes().hall().disk().balls(diffuse(0.6)).glassAndVeil();
+        scene.look(width, 0.4);
+        scene.graph.setFilm(new FilmSettings(width, height, ReconstructionFilter.BOX));
+        return scene.compile();
+    }
+
+    /** A point light before a lens, out of its focus, and nothing else. */
+    static Scene pointBeforeWideLens(int size) {
+        TestScenes scene = new TestScenes();
+        scene.graph
+                .root()
+                .add(new LightNode(new LightSource.Point(new Color3f(0.4f, 0.5f, 0.3f))))
+                .setTransform(Transform.translate(0.1, -0.05, -0.9).toMatrix4d());
+        return scene.look(size, 0.2).compile();
+    }
+
     /** As {@link #room}, with parallel rays. */
     static Scene roomOfParallelRays(int size) {
         TestScenes scene = new TestScenes().hall().disk().balls(diffuse(0.6)).look(size, 0);
@@ -128,15 +156,7 @@ final class TestScenes {
 
     /** A room with a ball of clear glass, a veil, and lights of all kinds. */
     static Scene everything(int width, int height) {
-        TestScenes scene = new TestScenes().hall().disk().balls(diffuse(0.6));
-        scene.add(
-                new Sphere(new Point3d(0, -0.6, -0.1), 0.25),
-                Transform.identity(),
-                new Dielectric(1.5, 1, ConstantTexture.grey(1), ConstantTexture.grey(1)));
-        scene.add(
-                new Rectangle(),
-                Transform.translate(-0.1, 0, 0.5).multiply(Transform.scale(0.5, 0.4, 1)),
-                new Mask(ConstantTexture.grey(0.4), diffuse(0.8)));
+        TestScenes scene = new TestScenes().hall().disk().balls(diffuse(0.6)).glassAndVeil();
         scene.graph
                 .root()
                 .add(new LightNode(new LightSource.Point(new Color3f(0.4f, 0.5f, 0.3f))))
@@ -161,6 +181,18 @@ final class TestScenes {
                                 .multiply(Transform.scale(0.5, 0.45, 1)),
                         diffuse(0.4))
                 .setRadiance(new ConstantTexture(3, 4, 5));
+        return this;
+    }
+
+    private TestScenes glassAndVeil() {
+        add(
+                new Sphere(new Point3d(0, -0.6, -0.1), 0.25),
+                Transform.identity(),
+                new Dielectric(1.5, 1, ConstantTexture.grey(1), ConstantTexture.grey(1)));
+        add(
+                new Rectangle(),
+                Transform.translate(-0.1, 0, 0.5).multiply(Transform.scale(0.5, 0.4, 1)),
+                new Mask(ConstantTexture.grey(0.4), diffuse(0.8)));
         return this;
     }
 

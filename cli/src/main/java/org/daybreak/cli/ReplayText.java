@@ -106,7 +106,7 @@ final class ReplayText {
 
     private static boolean hasValue(SampleRecord.Contribution c) {
         return switch (c.outcome()) {
-            case ADDED, SPLATTED, OCCLUDED -> true;
+            case ADDED, SPLATTED, OCCLUDED, ROULETTE -> true;
             default -> false;
         };
     }

@@ -105,6 +105,28 @@ class ReplayTest {
     }
 
     @Test
+    void whatTheRouletteLeavesOutIsTold() throws IOException {
+        int leftOut = 0;
+        for (String pixel : List.of("6,14", "17,12", "12,18", "3,17", "20,8")) {
+            Object[] options = {"--spp", 6, "--seed", 5, "-D", "depth=6", "--sample", 3, "--pixel", pixel};
+            int inText = 0;
+            for (String line : replay(options).out().lines().toList()) {
+                inText += line.endsWith("  left out by roulette") ? 1 : 0;
+            }
+            for (JsonNode contribution : json(options).get("contributions")) {
+                if (contribution.get("outcome").asText().equals("left out by roulette")) {
+                    assertTrue(contribution.get("unweighted").get(1).asDouble() > 0);
+                    assertTrue(contribution.get("weight").asDouble() > 0);
+                    inText--;
+                    leftOut++;
+                }
+            }
+            assertEquals(0, inText, pixel);
+        }
+        assertTrue(leftOut > 0, "nothing is left out");
+    }
+
+    @Test
     void textNamesVerticesAndOutcomes() {
         Cli.Result result = replay("--pixel", "6,14", "--sample", "2");
         assertEquals(0, result.code(), result.err());

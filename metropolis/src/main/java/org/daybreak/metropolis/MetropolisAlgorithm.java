@@ -8,6 +8,8 @@ import org.daybreak.core.camera.Camera;
 import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.StreamDomain;
 import org.daybreak.core.scene.Scene;
+import org.daybreak.metropolis.chains.ChainAlgorithm;
+import org.daybreak.metropolis.chains.ChainWorker;
 import org.daybreak.metropolis.strategy.BidirectionalMutationStrat;
 import org.daybreak.metropolis.strategy.CausticPerturbationStrat;
 import org.daybreak.metropolis.strategy.FilmStrata;

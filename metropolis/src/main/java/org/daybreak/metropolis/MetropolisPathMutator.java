@@ -2,6 +2,8 @@ package org.daybreak.metropolis;
 
 import java.util.List;
 import org.daybreak.core.sampling.RandomStream;
+import org.daybreak.metropolis.chains.ImageImportance;
+import org.daybreak.metropolis.chains.Outcome;
 import org.daybreak.metropolis.strategy.LightPath;
 import org.daybreak.metropolis.strategy.Move;
 import org.daybreak.metropolis.strategy.MutationStrategy;

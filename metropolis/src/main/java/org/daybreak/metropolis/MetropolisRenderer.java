@@ -6,6 +6,7 @@ import org.daybreak.core.render.RenderContext;
 import org.daybreak.core.render.RenderReport;
 import org.daybreak.core.render.Renderer;
 import org.daybreak.core.scene.Scene;
+import org.daybreak.metropolis.chains.ChainRenderer;
 
 /** Renders by Metropolis light transport (the thesis' class of that name): chains of paths in the life of {@link ChainRenderer}. */
 public final class MetropolisRenderer implements Renderer {

@@ -6,6 +6,7 @@ import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.render.Renderer;
 import org.daybreak.core.render.RendererFactory;
+import org.daybreak.metropolis.chains.ChainSettings;
 
 /** Metropolis light transport as users see it. */
 public final class MetropolisRendererFactory implements RendererFactory {

@@ -6,6 +6,7 @@ import org.daybreak.bidirectional.BidirectionalSettings;
 import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterException;
 import org.daybreak.core.render.ParameterValues;
+import org.daybreak.metropolis.chains.ChainSettings;
 
 /**
  * Settings of Metropolis light transport, besides those of all chains.

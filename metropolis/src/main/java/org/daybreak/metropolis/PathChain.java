@@ -1,6 +1,9 @@
 package org.daybreak.metropolis;
 
 import org.daybreak.core.scene.Scene;
+import org.daybreak.metropolis.chains.Chain;
+import org.daybreak.metropolis.chains.StateReader;
+import org.daybreak.metropolis.chains.StateWriter;
 import org.daybreak.metropolis.strategy.LightPath;
 
 /** A chain whose state is a path. */

@@ -37,6 +37,7 @@ import org.daybreak.core.scene.SceneGraph;
 import org.daybreak.core.scene.ShapeNode;
 import org.daybreak.core.testing.Moments;
 import org.daybreak.core.testing.ZTest;
+import org.daybreak.metropolis.chains.ChainStatistics;
 import org.daybreak.metropolis.strategy.LightPath;
 import org.daybreak.metropolis.strategy.ManifoldPerturbationStrat;
 import org.daybreak.metropolis.strategy.MutationStrategy;
@@ -141,8 +142,9 @@ class ManifoldPerturbationStratTest {
 
     private static void check(String name, Scene scene, int count) {
         MutationStrategy strategy = new ManifoldPerturbationStrat(1, 0.1, 4, 0.1, 4);
-        BidirectionalSettings settings =
-                new BidirectionalSettings(-1, -1, 7, 1, BidirectionalSettings.Roulette.NONE, 3, 1, false, true, 2);
+        BidirectionalSettings settings = new BidirectionalSettings(
+                        -1, -1, 7, 1, BidirectionalSettings.Roulette.NONE, 3, 1, false, true)
+                .withMinDepth(2);
         MetropolisProcessor worker =
                 new MetropolisProcessor(scene, scene.camera(), 1, settings, List.of(strategy), true, count);
         RandomStream random = new RandomStream(7, StreamDomain.SELF_CHECK, 0, 0);

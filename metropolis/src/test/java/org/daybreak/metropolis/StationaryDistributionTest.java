@@ -17,6 +17,8 @@ import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.StreamDomain;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.testing.Significance;
+import org.daybreak.metropolis.chains.ChainStatistics;
+import org.daybreak.metropolis.chains.ImageImportance;
 import org.daybreak.metropolis.strategy.LightPath;
 import org.daybreak.metropolis.strategy.MutationStrategy;
 import org.daybreak.metropolis.strategy.PathBuilder;
@@ -118,6 +120,8 @@ class StationaryDistributionTest {
         private final List<String> mixtures;
         private final List<Cells> partitions = List.of(
                 new Cells("kinds", Paths::signature),
+                new Cells("ends", Paths::ends),
+                new Cells("counts", Paths::counts),
                 new Cells("places", path -> Paths.places(path, 0, -0.1, -0.4, ToyScenes.SIZE)),
                 new Cells("lengths", Paths::lengths),
                 new Cells("magnitudes", Paths::magnitude));

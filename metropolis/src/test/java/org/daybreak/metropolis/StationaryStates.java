@@ -5,6 +5,7 @@ import org.daybreak.bidirectional.BidirectionalSettings;
 import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.StreamDomain;
 import org.daybreak.core.scene.Scene;
+import org.daybreak.metropolis.chains.ImageImportance;
 import org.daybreak.metropolis.strategy.BidirectionalMutationStrat;
 import org.daybreak.metropolis.strategy.CausticPerturbationStrat;
 import org.daybreak.metropolis.strategy.FilmStrata;

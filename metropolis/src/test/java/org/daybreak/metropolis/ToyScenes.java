@@ -70,9 +70,7 @@ final class ToyScenes {
                 "masked lamp",
                 new Toy(1, s -> s.hall().maskedLamp().balls(plastic()).look(0)));
         SCENES.put("thin lens", new Toy(3, s -> s.hall().lamp().glassAndMirror().look(0.1)));
-        SCENES.put(
-                "parallel rays",
-                new Toy(1, s -> s.skies().lamp().glassAndMirror().parallel()));
+        SCENES.put("parallel rays", new Toy(1, s -> s.skies().glassAndMirror().parallel()));
         SCENES.put("shading normals", new Toy(3, s -> s.hall().lamp().facets().look(0)));
         SCENES.put("normal maps", new Toy(3, s -> s.hall().lamp().normalMaps().look(0)));
     }
@@ -93,9 +91,14 @@ final class ToyScenes {
 
     /** The scene of a name. */
     static Scene scene(String name) {
+        return scene(name, SIZE, SIZE);
+    }
+
+    /** The scene of a name with a film of another size. */
+    static Scene scene(String name, int width, int height) {
         ToyScenes scene = new ToyScenes();
         SCENES.get(name).content.accept(scene);
-        scene.graph.setFilm(new FilmSettings(SIZE, SIZE, ReconstructionFilter.BOX));
+        scene.graph.setFilm(new FilmSettings(width, height, ReconstructionFilter.BOX));
         return SceneCompiler.compile(scene.graph, new SceneCompiler.Options(1, null));
     }
 

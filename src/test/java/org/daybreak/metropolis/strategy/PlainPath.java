@@ -153,9 +153,7 @@ final class PlainPath {
             density = 1;
             if (!atInfinity && camera.sampleLens(p.x, p.y, p.z, 0.5, 0.5, sample)) {
                 camera.rayDensity(lens.x, lens.y, lens.z, -d[0], -d[1], -d[2], ray);
-                density = ray.densityPosition
-                        * cosine
-                        / Math.abs(sample.point.geometricCosine(d[0], d[1], d[2]));
+                density = ray.densityPosition * cosine / Math.abs(sample.point.geometricCosine(d[0], d[1], d[2]));
             }
         } else {
             camera.rayDensity(lens.x, lens.y, lens.z, -d[0], -d[1], -d[2], ray);
@@ -191,13 +189,10 @@ final class PlainPath {
         SurfacePoint p = points[1];
         double[] eye = toEye(1);
         double side = bsdf(1).transmissive() ? 0 : Math.signum(p.nx * eye[0] + p.ny * eye[1] + p.nz * eye[2]);
-        double chosen = scene.lightSelection()
-                .probability(light, p.x, p.y, p.z, side * p.nx, side * p.ny, side * p.nz);
+        double chosen = scene.lightSelection().probability(light, p.x, p.y, p.z, side * p.nx, side * p.ny, side * p.nz);
         nextEvent = deltaLight
                 ? chosen
-                : chosen
-                        * source.incidentDensity(p.x, p.y, p.z, points[0], -d[0], -d[1], -d[2])
-                        * perVertex(0, 0);
+                : chosen * source.incidentDensity(p.x, p.y, p.z, points[0], -d[0], -d[1], -d[2]) * perVertex(0, 0);
     }
 
     private void setScattering() {
@@ -232,14 +227,13 @@ final class PlainPath {
                 factor.set(lobe.weight);
                 factor.scale(towardsLight);
             } else {
-                Scattering.evaluate(
-                        bsdf(i), p, e[0], e[1], e[2], l[0], l[1], l[2], TransportMode.RADIANCE, factor);
-                towardsLight = Scattering.density(
-                                bsdf(i), p, e[0], e[1], e[2], l[0], l[1], l[2], TransportMode.RADIANCE)
-                        / opacity[i];
-                towardsEye = Scattering.density(
-                                bsdf(i), p, l[0], l[1], l[2], e[0], e[1], e[2], TransportMode.IMPORTANCE)
-                        / opacity[i];
+                Scattering.evaluate(bsdf(i), p, e[0], e[1], e[2], l[0], l[1], l[2], TransportMode.RADIANCE, factor);
+                towardsLight =
+                        Scattering.density(bsdf(i), p, e[0], e[1], e[2], l[0], l[1], l[2], TransportMode.RADIANCE)
+                                / opacity[i];
+                towardsEye =
+                        Scattering.density(bsdf(i), p, l[0], l[1], l[2], e[0], e[1], e[2], TransportMode.IMPORTANCE)
+                                / opacity[i];
             }
             boolean metByNone = i == 1 && deltaLight;
             fromEyeByLobe[i - 1] = metByNone ? 0 : towardsLight * perVertex(i - 1, i - 1);
@@ -307,14 +301,14 @@ final class PlainPath {
     }
 
     private static double[] cross(double[] a, double[] b) {
-        return new double[] {
-            a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-        };
+        return new double[] {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     }
 
     /** Ratio of the factors by which a delta lobe stands in the densities towards the lens and towards the light. */
     double factorRatio(int vertex) {
-        return fromLightByLobe[vertex + 1] / perVertex(vertex + 1, vertex) * perVertex(vertex - 1, vertex - 1)
+        return fromLightByLobe[vertex + 1]
+                / perVertex(vertex + 1, vertex)
+                * perVertex(vertex - 1, vertex - 1)
                 / fromEyeByLobe[vertex - 1];
     }
 }

@@ -16,8 +16,7 @@ import org.daybreak.core.material.TransportMode;
  * @param smallest r₁ in pixels, of film positions and angles
  * @param largest r₂ in pixels, alike
  */
-record PlainTransitions(
-        double[] deleted, double[] added, int shortest, int longest, double smallest, double largest) {
+record PlainTransitions(double[] deleted, double[] added, int shortest, int longest, double smallest, double largest) {
 
     // Which paths
 
@@ -35,10 +34,8 @@ record PlainTransitions(
         return switch (strategy) {
             case "bidirectional" -> true;
             case "lens", "lensSubpath" -> d == 0 ? !x.deltaLight : !x.isDelta(d - 1);
-            case "caustic" -> x.k >= 2
-                    && d == x.k - 1
-                    && !x.camera.isParallel()
-                    && (nextPlain(x, d) > 0 || !x.infinite);
+            case "caustic" ->
+                x.k >= 2 && d == x.k - 1 && !x.camera.isParallel() && (nextPlain(x, d) > 0 || !x.infinite);
             case "multiChain" -> {
                 if (d == 0 || !x.isDelta(d - 1) || x.camera.isParallel()) {
                     yield false;
@@ -62,9 +59,10 @@ record PlainTransitions(
 
     double transition(String strategy, boolean importance, PlainPath x, PlainPath y, int kept, int oldEnd, int newEnd) {
         return switch (strategy) {
-            case "bidirectional" -> deletion(x, kept, oldEnd, importance)
-                    * addition(x, kept, oldEnd, newEnd - kept)
-                    * construction(y, kept, newEnd, oldEnd == x.k + 1);
+            case "bidirectional" ->
+                deletion(x, kept, oldEnd, importance)
+                        * addition(x, kept, oldEnd, newEnd - kept)
+                        * construction(y, kept, newEnd);
             case "lensSubpath" -> lensSubpath(y, kept + 1);
             case "lens" -> lens(y, kept + 1);
             case "caustic" -> caustic(x, y);
@@ -144,7 +142,7 @@ record PlainTransitions(
                 : plain / plainSum;
     }
 
-    private double construction(PlainPath y, int kept, int newEnd, boolean toLens) {
+    private double construction(PlainPath y, int kept, int newEnd) {
         int ways = ways(y.k, kept, newEnd, newEnd - kept);
         double sum = 0;
         for (int l = 0; l < ways; l++) {
@@ -198,8 +196,7 @@ record PlainTransitions(
         BsdfSample lobe = new BsdfSample();
         for (int i = 0; i < y.bsdf(d).deltaLobes(); i++) {
             double[] e = y.edges[d];
-            if (Scattering.deltaLobe(
-                    y.bsdf(d), y.points[d], e[0], e[1], e[2], i, TransportMode.RADIANCE, lobe)) {
+            if (Scattering.deltaLobe(y.bsdf(d), y.points[d], e[0], e[1], e[2], i, TransportMode.RADIANCE, lobe)) {
                 goesOn += lobe.density / y.opacity[d];
             }
         }

@@ -20,8 +20,8 @@ import org.daybreak.core.sampling.StreamDomain;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.scene.SceneCompiler;
 import org.daybreak.core.scene.SceneGraph;
-import org.daybreak.metropolis.ImageImportance;
 import org.daybreak.metropolis.MetropolisPathMutator;
+import org.daybreak.metropolis.chains.ImageImportance;
 import org.daybreak.scenes.description.SceneException;
 import org.daybreak.tracing.EmissionGuide;
 import org.daybreak.tracing.RaySample;
@@ -168,8 +168,8 @@ class TransitionTest {
                     new CausticPerturbationStrat(WEIGHTS[3], SMALLEST, LARGEST),
                     new MultiChainPerturbationStrat(WEIGHTS[4], SMALLEST, LARGEST, SMALLEST, LARGEST));
             plain = new PlainTransitions(DELETED, ADDED, shortest, LONGEST, SMALLEST, LARGEST);
-            factor = new ImageImportance(2, 2, 0.5 * Math.max(camera.width(), camera.height()), new double[] {1, 2, 3, 0.5
-            });
+            factor = new ImageImportance(
+                    2, 2, 0.5 * Math.max(camera.width(), camera.height()), new double[] {1, 2, 3, 0.5});
         }
 
         private long pixel(long number) {

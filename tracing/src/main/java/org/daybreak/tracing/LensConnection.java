@@ -35,6 +35,7 @@ public final class LensConnection {
     private final double pixels;
     private final double sceneSize;
     private double filmDensity;
+    private double scatteringDensity;
 
     /** Creates what a worker needs to join vertices to the lens of a camera. */
     public LensConnection(Camera camera, RayCaster caster) {
@@ -56,7 +57,8 @@ public final class LensConnection {
         if (!camera.sampleLens(p.x, p.y, p.z, u, v, lens)) {
             return false;
         }
-        Scattering.evaluate(bsdf, p, woX, woY, woZ, lens.wiX, lens.wiY, lens.wiZ, TransportMode.IMPORTANCE, value);
+        scatteringDensity = Scattering.evaluate(
+                bsdf, p, woX, woY, woZ, lens.wiX, lens.wiY, lens.wiZ, TransportMode.IMPORTANCE, value);
         return complete(p);
     }
 
@@ -173,6 +175,14 @@ public final class LensConnection {
      */
     public double filmDensity() {
         return filmDensity;
+    }
+
+    /**
+     * Density per solid angle with which the subpath, when it was last aimed {@linkplain #aimFromSurface from a surface}, would
+     * have scattered towards the lens.
+     */
+    public double scatteringDensity() {
+        return scatteringDensity;
     }
 
     /**

@@ -166,6 +166,14 @@ final class TileGrid {
         }
     }
 
+    /** The tile of a pixel of a whole film. */
+    static FilmSettings.Crop tileOf(FilmSettings film, int x, int y) {
+        int left = x - x % TILE_SIZE;
+        int top = y - y % TILE_SIZE;
+        return new FilmSettings.Crop(
+                left, top, Math.min(TILE_SIZE, film.width() - left), Math.min(TILE_SIZE, film.height() - top));
+    }
+
     /** Number of tiles to work on. */
     int count() {
         return tiles.size();

@@ -47,8 +47,7 @@ final class UniformSchedule implements SampleSchedule {
     public void next(TileUnit unit) {
         if (nextTile == grid.count()) {
             passStart += passSize;
-            long wanted = Math.min(Math.min(passStart, LARGEST_PASS), samplesPerPixel - passStart);
-            passSize = (int) Math.max(1, Math.min(wanted, affordable.applyAsInt(passStart)));
+            passSize = Math.max(1, Math.min(passSize(passStart, samplesPerPixel), affordable.applyAsInt(passStart)));
             nextTile = 0;
             pass++;
         }
@@ -61,6 +60,20 @@ final class UniformSchedule implements SampleSchedule {
         unit.expected = (long) unit.width * unit.height * passSize;
         nextTile++;
         unit.endsPass = nextTile == grid.count();
+    }
+
+    /** Samples per pixel of the pass that begins with a sample, when time does not matter. */
+    static int passSize(long first, long samplesPerPixel) {
+        return first == 0 ? 1 : (int) Math.min(Math.min(first, LARGEST_PASS), samplesPerPixel - first);
+    }
+
+    /** First sample of the pass that a sample belongs to, when time does not matter. */
+    static long passStart(long sample, long samplesPerPixel) {
+        long first = 0;
+        while (sample >= first + passSize(first, samplesPerPixel)) {
+            first += passSize(first, samplesPerPixel);
+        }
+        return first;
     }
 
     @Override

@@ -32,6 +32,18 @@ public interface Camera {
     boolean sampleLens(double px, double py, double pz, double u, double v, LensSample out);
 
     /**
+     * Finds where a ray from the scene hits the lens, and the film position that it goes to (technique t = 0): fills {@code out}
+     * as {@link #sampleLens} does when it draws that point of the lens for the ray's origin.
+     *
+     * @param dx unit direction of the ray
+     * @return false if the ray misses the lens, comes from behind, or goes to no point of the film; always false if the lens
+     *     {@linkplain #hasLensArea() has no area}
+     */
+    default boolean hitLens(double ox, double oy, double oz, double dx, double dy, double dz, LensSample out) {
+        return false;
+    }
+
+    /**
      * Densities with which {@link #sampleRay} (film point uniform over the whole film) draws a given ray; fills the
      * density fields of {@code out} only.
      *

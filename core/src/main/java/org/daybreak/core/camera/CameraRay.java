@@ -14,6 +14,12 @@ public final class CameraRay {
     public double dy;
     public double dz;
 
+    /** Unit normal of the lens at the origin, on the side of the scene; the direction if it is a single point for all directions. */
+    public double normalX;
+
+    public double normalY;
+    public double normalZ;
+
     /**
      * Throughput factor We·cos/(densities), with the film point uniform in its pixel: 1 for all cameras whose pixels
      * measure mean radiance.

@@ -78,6 +78,9 @@ public final class EnvironmentCamera implements Camera {
         out.dx = wx / length;
         out.dy = wy / length;
         out.dz = wz / length;
+        out.normalX = out.dx;
+        out.normalY = out.dy;
+        out.normalZ = out.dz;
         out.weight = 1;
         out.densityPosition = 1;
         out.densityDirection = density(Math.abs(sine));
@@ -108,6 +111,7 @@ public final class EnvironmentCamera implements Camera {
         out.weight = (double) width * height * density(across / distance) / squared;
         out.delta = true;
         out.density = 1;
+        out.densityPosition = 1;
         SurfacePoint point = out.point;
         point.x = originX;
         point.y = originY;

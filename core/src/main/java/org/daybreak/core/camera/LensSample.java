@@ -31,6 +31,9 @@ public final class LensSample {
     /** Density of the lens point per solid angle at the scene point; 1 if the lens is a single point. */
     public double density;
 
+    /** The same per area on the lens; 1 if the lens is a single point. */
+    public double densityPosition;
+
     /** True if the lens is a single point: no scattered ray can hit it. */
     public boolean delta;
 

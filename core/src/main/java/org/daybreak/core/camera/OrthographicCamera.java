@@ -91,6 +91,9 @@ public final class OrthographicCamera implements Camera {
         out.dx = dx;
         out.dy = dy;
         out.dz = dz;
+        out.normalX = viewX;
+        out.normalY = viewY;
+        out.normalZ = viewZ;
         setDensities(out);
         return true;
     }
@@ -115,6 +118,7 @@ public final class OrthographicCamera implements Camera {
         out.weight = (double) width * height * originDensity / (dx * viewX + dy * viewY + dz * viewZ);
         out.delta = true;
         out.density = 1;
+        out.densityPosition = 1;
         SurfacePoint point = out.point;
         point.x = px - out.distance * dx;
         point.y = py - out.distance * dy;

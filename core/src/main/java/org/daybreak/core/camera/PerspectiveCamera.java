@@ -206,6 +206,9 @@ public final class PerspectiveCamera implements Camera {
         out.dx = wx / length;
         out.dy = wy / length;
         out.dz = wz / length;
+        out.normalX = viewX;
+        out.normalY = viewY;
+        out.normalZ = viewZ;
         out.weight = 1;
         out.densityPosition = lensDensity;
         out.densityDirection = pixelsPerArea * squared * length / width / height;
@@ -221,6 +224,28 @@ public final class PerspectiveCamera implements Camera {
             lensX = apertureRadius * out.scratch[0];
             lensY = apertureRadius * out.scratch[1];
         }
+        return connect(px, py, pz, lensX, lensY, out);
+    }
+
+    @Override
+    public boolean hitLens(double ox, double oy, double oz, double dx, double dy, double dz, LensSample out) {
+        double lx = ox - originX;
+        double ly = oy - originY;
+        double lz = oz - originZ;
+        double above = depth(lx, ly, lz);
+        double descent = -depth(dx, dy, dz);
+        if (!(apertureRadius > 0 && above > 0 && descent > 0)) {
+            return false;
+        }
+        double distance = above / descent;
+        double lensX = planeX(lx, ly, lz) + distance * planeX(dx, dy, dz);
+        double lensY = planeY(lx, ly, lz) + distance * planeY(dx, dy, dz);
+        return lensX * lensX + lensY * lensY <= apertureRadius * apertureRadius
+                && connect(ox, oy, oz, lensX, lensY, out);
+    }
+
+    /** Joins a scene point to a point of the lens. */
+    private boolean connect(double px, double py, double pz, double lensX, double lensY, LensSample out) {
         SurfacePoint point = out.point;
         point.x = originX + toWorld[0] * lensX + toWorld[1] * lensY;
         point.y = originY + toWorld[3] * lensX + toWorld[4] * lensY;
@@ -251,6 +276,7 @@ public final class PerspectiveCamera implements Camera {
         out.delta = !(apertureRadius > 0);
         double cosine = (dx * viewX + dy * viewY + dz * viewZ) / distance;
         out.density = out.delta ? 1 : lensDensity * squared / cosine;
+        out.densityPosition = lensDensity;
         point.gx = viewX;
         point.gy = viewY;
         point.gz = viewZ;

@@ -108,6 +108,8 @@ public record SampleRecord(
         SPLATTED("splatted"),
         /** A surface is in the way. */
         OCCLUDED("occluded"),
+        /** Small, and not tested for occlusion: the roulette has spared the ray. */
+        ROULETTE("left out by roulette"),
         /** Nothing is emitted, scattered or seen along the edge. */
         ZERO("zero"),
         /** A vertex scatters by delta lobes only. */
@@ -136,8 +138,8 @@ public record SampleRecord(
      * @param t vertices from the lens
      * @param eyePath number of the eye subpath, -1 if there is only the lens
      * @param light index of the light, -1 if there is none
-     * @param outcome what became of it; the following is 0 unless it was added, splatted or occluded
-     * @param unweighted contribution without its weight; if occluded, as it would be without the surface in the way
+     * @param outcome what became of it; the following is 0 unless it was added, splatted, occluded or left out by roulette
+     * @param unweighted contribution without its weight; if occluded or left out by roulette, as it would be otherwise
      * @param weight weight of multiple importance sampling
      * @param filmX film position in pixels
      * @param filmY film position in pixels

@@ -77,6 +77,69 @@ class PerspectiveCameraTest {
         assertEquals(150, lens.filmX, 1e-12);
     }
 
+    /** A ray along the line to a point of the lens hits it there; one to a point beyond its rim, or from behind, does not. */
+    @ParameterizedTest
+    @MethodSource("cases")
+    void raysHitTheLensWhereItIs(CameraTest.Case c) {
+        Camera camera = c.camera();
+        CameraRay ray = new CameraRay();
+        LensSample expected = new LensSample();
+        LensSample actual = new LensSample();
+        RandomStream random = new RandomStream(5, StreamDomain.SELF_CHECK, 0, 0);
+        for (int i = 0; i < 1000; i++) {
+            double u = random.nextDouble();
+            double v = random.nextDouble();
+            camera.sampleRay(camera.width() * random.nextDouble(), camera.height() * random.nextDouble(), u, v, ray);
+            double distance = 0.1 + 3 * random.nextDouble();
+            double px = ray.ox + distance * ray.dx;
+            double py = ray.oy + distance * ray.dy;
+            double pz = ray.oz + distance * ray.dz;
+            assertFalse(camera.hitLens(px, py, pz, ray.dx, ray.dy, ray.dz, actual), "away from the lens");
+            assertFalse(
+                    camera.hitLens(
+                            ray.ox - distance * ray.dx,
+                            ray.oy - distance * ray.dy,
+                            ray.oz - distance * ray.dz,
+                            ray.dx,
+                            ray.dy,
+                            ray.dz,
+                            actual),
+                    "from behind");
+            boolean hit = camera.hitLens(px, py, pz, -ray.dx, -ray.dy, -ray.dz, actual);
+            assertEquals(camera.hasLensArea(), hit);
+            if (!hit) {
+                continue;
+            }
+            assertTrue(camera.sampleLens(px, py, pz, u, v, expected));
+            assertEquals(expected.filmX, actual.filmX, 1e-9);
+            assertEquals(expected.filmY, actual.filmY, 1e-9);
+            assertEquals(expected.distance, actual.distance, 1e-9);
+            assertEquals(expected.weight, actual.weight, 1e-9 * expected.weight);
+            assertEquals(expected.density, actual.density, 1e-9 * expected.density);
+            assertEquals(expected.densityPosition, actual.densityPosition);
+            assertEquals(expected.point.x, actual.point.x, 1e-9);
+            assertEquals(ray.densityPosition, actual.densityPosition);
+            assertEquals(ray.normalX, actual.point.gx);
+        }
+    }
+
+    /** Parallel rays through points of a square around the lens: the hits have its area, within five standard deviations. */
+    @Test
+    void theLensIsAsLargeAsItsDensitySays() {
+        PerspectiveCamera camera = new PerspectiveCamera(Transform.identity(), 0.6, 40, 25, 0.3, 2.5);
+        LensSample lens = new LensSample();
+        int hits = 0;
+        int n = 20_000;
+        RandomStream random = new RandomStream(7, StreamDomain.SELF_CHECK, 0, 0);
+        for (int i = 0; i < n; i++) {
+            double x = random.nextDouble() - 0.5;
+            double y = random.nextDouble() - 0.5;
+            hits += camera.hitLens(x + 0.02, y, 2, -0.01 / Math.sqrt(1.0001), 0, -1 / Math.sqrt(1.0001), lens) ? 1 : 0;
+        }
+        double expected = n / lens.densityPosition;
+        assertEquals(expected, hits, 5 * Math.sqrt(expected));
+    }
+
     @Test
     void lensesFocusAtTheirDistance() {
         for (double scale : new double[] {1, 7}) {

@@ -7,7 +7,7 @@ import org.daybreak.core.math.Frame;
 import org.daybreak.core.scene.Scene;
 
 /**
- * How the vertices of a specular chain move with its end while its start is fixed, to first order (Jakob and Marschner 2012, §4). Owned
+ * How the vertices of a specular chain move with its end while its start is fixed, to first order (Jakob and Marschner 2012). Owned
  * by one worker.
  *
  * <p>At vertex i with the unit directions w to the vertex before and w′ to the next one, refractive indices η and η′ on their sides,
@@ -90,7 +90,7 @@ public final class ManifoldTangents {
     }
 
     /**
-     * The generalized geometry term without the cosine at the start (eq. 13 there): |dω_a/dA_b|. Solid angle at the start, or
+     * The generalized geometry term without the cosine at the start: |dω_a/dA_b|. Solid angle at the start, or
      * area across the rays if it is a direction, per area at the end, or per solid angle if that is a direction. For
      * a chain without specular vertices it would be cos θ_b/d².
      */

@@ -9,7 +9,7 @@ import org.daybreak.core.scene.RayKind;
 import org.daybreak.core.scene.Scene;
 
 /**
- * Walks on specular manifolds (Jakob and Marschner 2012, §5, figure 8): moves one end of a chain of delta lobes while the other one stays.
+ * Walks on specular manifolds (Jakob and Marschner 2012): moves one end of a chain of delta lobes while the other one stays.
  * Owned by one worker; holds all scratch space, so that a walk allocates nothing once chains of that length have been met.
  *
  * <p>A step predicts x₁ by the {@linkplain ManifoldTangents tangents} of the chain and comes back to the manifold by tracing a ray from x_a
@@ -21,11 +21,14 @@ import org.daybreak.core.scene.Scene;
  * last edge is free is left to the caller. Alpha masks are met as they are: only holes are passed.
  */
 public final class SpecularManifold {
-    /** Largest number of steps and halved steps of a walk. */
+    /**
+     * Largest number of steps and halved steps of a walk. Of the walks that arrive within 30, some 99 % need no more than this, in
+     * scenes with caustics; most need 2 to 4. Those that do not arrive, as no chain leads to the target, would cost more than all others.
+     */
     public static final int MOST_ITERATIONS = 10;
 
     /** Error at which a walk has arrived. */
-    public static final double TOLERANCE = 1e-9;
+    public static final double TOLERANCE = 1e-8;
 
     /**
      * Distance between vertices of a chain and of the walk back to it, as a part of the edges around, that still counts as
@@ -33,6 +36,12 @@ public final class SpecularManifold {
      * less than the distance of different chains.
      */
     private static final double SAME = 1e-3;
+
+    /**
+     * What may be added to that, as a multiple of how far rays start off the surfaces of the chain: one that was traced from the other
+     * end differs by this at slanting angles, which matters in narrow corners of large triangles.
+     */
+    private static final double SLACK = 10;
 
     private final Scene scene;
     private final RayCaster caster;
@@ -127,7 +136,7 @@ public final class SpecularManifold {
 
     /**
      * Moves the end of a chain as {@link #walk} does, and fails if the same walk from there back does not find the old
-     * chain. A proposal that cannot be undone must not be made (§5.3 there).
+     * chain. A proposal that cannot be undone must not be made.
      */
     public WalkOutcome walkReversibly(SpecularChain from, ChainEnd target, SpecularChain to) {
         WalkOutcome outcome = walk(from, target, to);
@@ -283,11 +292,15 @@ public final class SpecularManifold {
 
     private static boolean isSame(SpecularChain a, SpecularChain b) {
         int n = a.length();
+        double slack = a.start.point.offset;
+        for (int i = 0; i < n; i++) {
+            slack += a.points[i].offset;
+        }
         for (int i = 0; i < n; i++) {
             SurfacePoint here = a.points[i];
             double before = distance(here, i > 0 ? a.points[i - 1] : a.start.point);
             double after = distance(here, i + 1 < n ? a.points[i + 1] : a.end.point);
-            if (!(distance(here, b.points[i]) <= SAME * Math.min(before, after))) {
+            if (!(distance(here, b.points[i]) <= SAME * Math.min(before, after) + SLACK * slack)) {
                 return false;
             }
         }

@@ -3,8 +3,8 @@ package org.daybreak.metropolis.primary;
 import java.util.List;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.scene.Scene;
-import org.daybreak.metropolis.ChainAlgorithm;
-import org.daybreak.metropolis.ChainWorker;
+import org.daybreak.metropolis.chains.ChainAlgorithm;
+import org.daybreak.metropolis.chains.ChainWorker;
 
 /**
  * An algorithm whose chains go over random numbers.

@@ -1,8 +1,8 @@
 package org.daybreak.metropolis.primary;
 
-import org.daybreak.metropolis.Chain;
-import org.daybreak.metropolis.StateReader;
-import org.daybreak.metropolis.StateWriter;
+import org.daybreak.metropolis.chains.Chain;
+import org.daybreak.metropolis.chains.StateReader;
+import org.daybreak.metropolis.chains.StateWriter;
 
 /** A chain whose state is a vector of numbers. */
 final class PrimaryChain extends Chain {

@@ -7,8 +7,8 @@ import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.render.Renderer;
 import org.daybreak.core.render.RendererFactory;
-import org.daybreak.metropolis.ChainRenderer;
-import org.daybreak.metropolis.ChainSettings;
+import org.daybreak.metropolis.chains.ChainRenderer;
+import org.daybreak.metropolis.chains.ChainSettings;
 
 /** What both renderers by chains over random numbers have in common. */
 abstract class PrimaryRendererFactory implements RendererFactory {

@@ -3,8 +3,8 @@ package org.daybreak.metropolis.primary;
 import java.util.Arrays;
 import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.Sampler;
-import org.daybreak.metropolis.StateReader;
-import org.daybreak.metropolis.StateWriter;
+import org.daybreak.metropolis.chains.StateReader;
+import org.daybreak.metropolis.chains.StateWriter;
 
 /**
  * The numbers of a state, as a sampler: a point of the infinite-dimensional unit cube of which only the coordinates are known that

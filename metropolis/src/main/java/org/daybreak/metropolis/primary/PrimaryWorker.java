@@ -5,11 +5,11 @@ import org.daybreak.core.camera.Camera;
 import org.daybreak.core.film.SplatBuffer;
 import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.StreamDomain;
-import org.daybreak.metropolis.Chain;
-import org.daybreak.metropolis.ChainStatistics;
-import org.daybreak.metropolis.ChainWorker;
-import org.daybreak.metropolis.ImageImportance;
-import org.daybreak.metropolis.Outcome;
+import org.daybreak.metropolis.chains.Chain;
+import org.daybreak.metropolis.chains.ChainStatistics;
+import org.daybreak.metropolis.chains.ChainWorker;
+import org.daybreak.metropolis.chains.ImageImportance;
+import org.daybreak.metropolis.chains.Outcome;
 import org.daybreak.tracing.RaySample;
 
 /**

@@ -4,7 +4,7 @@ import org.daybreak.bidirectional.BiDirectionalProcessor;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.scene.RayKind;
 import org.daybreak.core.scene.Scene;
-import org.daybreak.metropolis.Chain;
+import org.daybreak.metropolis.chains.Chain;
 
 /**
  * Chains of whole samples of bidirectional path tracing (Kelemen et al. 2002): a state is an eye and a light subpath with all their

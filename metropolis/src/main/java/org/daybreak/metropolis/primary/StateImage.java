@@ -3,9 +3,9 @@ package org.daybreak.metropolis.primary;
 import java.util.Arrays;
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.film.SplatBuffer;
-import org.daybreak.metropolis.ImageImportance;
-import org.daybreak.metropolis.StateReader;
-import org.daybreak.metropolis.StateWriter;
+import org.daybreak.metropolis.chains.ImageImportance;
+import org.daybreak.metropolis.chains.StateReader;
+import org.daybreak.metropolis.chains.StateWriter;
 
 /**
  * What a state brings to the image: f/p at some film positions, relative to the film. The expectation of the sum of luminances over uniform

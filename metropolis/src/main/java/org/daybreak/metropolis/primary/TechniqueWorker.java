@@ -8,7 +8,7 @@ import org.daybreak.core.camera.Camera;
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.scene.RayKind;
 import org.daybreak.core.scene.Scene;
-import org.daybreak.metropolis.Chain;
+import org.daybreak.metropolis.chains.Chain;
 import org.daybreak.tracing.Dimensions;
 import org.jspecify.annotations.Nullable;
 

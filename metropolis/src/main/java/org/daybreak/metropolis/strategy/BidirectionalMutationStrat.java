@@ -1,7 +1,7 @@
 package org.daybreak.metropolis.strategy;
 
 import org.daybreak.core.sampling.RandomStream;
-import org.daybreak.metropolis.Outcome;
+import org.daybreak.metropolis.chains.Outcome;
 
 /**
  * Deletes a piece of a path and builds a new one, of another length maybe, from both of its ends (the thesis' class of that name;

@@ -2,7 +2,7 @@ package org.daybreak.metropolis.strategy;
 
 import org.daybreak.core.math.Densities;
 import org.daybreak.core.sampling.RandomStream;
-import org.daybreak.metropolis.Outcome;
+import org.daybreak.metropolis.chains.Outcome;
 
 /**
  * Tilts the edge that leads from a diffuse vertex or the light through ideal reflections and refractions to what the lens sees, follows

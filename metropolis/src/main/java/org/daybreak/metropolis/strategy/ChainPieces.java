@@ -6,7 +6,7 @@ import org.daybreak.core.material.TransportMode;
 import org.daybreak.core.math.Bounds;
 import org.daybreak.core.scene.RayCaster;
 import org.daybreak.core.scene.Scene;
-import org.daybreak.metropolis.Outcome;
+import org.daybreak.metropolis.chains.Outcome;
 import org.daybreak.metropolis.manifold.ChainEnd;
 import org.daybreak.metropolis.manifold.ManifoldTangents;
 import org.daybreak.metropolis.manifold.SpecularChain;

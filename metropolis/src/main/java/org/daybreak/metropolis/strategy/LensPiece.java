@@ -2,7 +2,7 @@ package org.daybreak.metropolis.strategy;
 
 import org.daybreak.antialiasing.MetropolisAntiAliaser;
 import org.daybreak.core.sampling.RandomStream;
-import org.daybreak.metropolis.Outcome;
+import org.daybreak.metropolis.chains.Outcome;
 
 /** What moves share that make the end of a path at the lens anew and keep its delta lobes: pure functions. */
 final class LensPiece {

@@ -1,7 +1,7 @@
 package org.daybreak.metropolis.strategy;
 
 import org.daybreak.core.sampling.RandomStream;
-import org.daybreak.metropolis.Outcome;
+import org.daybreak.metropolis.chains.Outcome;
 
 /**
  * Replaces the lens subpath (L|D)S*E of a path by one through a new image point, which spreads the proposals of all chains over the

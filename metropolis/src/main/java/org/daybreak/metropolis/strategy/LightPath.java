@@ -6,8 +6,8 @@ import org.daybreak.core.geometry.SurfacePoint;
 import org.daybreak.core.material.Bsdf;
 import org.daybreak.core.material.NullBsdf;
 import org.daybreak.core.scene.Scene;
-import org.daybreak.metropolis.StateReader;
-import org.daybreak.metropolis.StateWriter;
+import org.daybreak.metropolis.chains.StateReader;
+import org.daybreak.metropolis.chains.StateWriter;
 
 /**
  * A full path x₀…x_k from a light to the lens: a state of a chain. A structure of arrays that grows when a longer path comes

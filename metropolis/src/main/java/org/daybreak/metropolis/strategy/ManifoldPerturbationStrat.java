@@ -2,10 +2,10 @@ package org.daybreak.metropolis.strategy;
 
 import org.daybreak.core.math.Densities;
 import org.daybreak.core.sampling.RandomStream;
-import org.daybreak.metropolis.Outcome;
+import org.daybreak.metropolis.chains.Outcome;
 
 /**
- * Changes a path between three vertices a, b, c that follow each other but for delta lobes between them (Jakob and Marschner 2012, §5): tilts
+ * Changes a path between three vertices a, b, c that follow each other but for delta lobes between them (Jakob and Marschner 2012): tilts
  * the direction at a, or moves the image point if a is the lens; follows the delta lobes to b; and moves the chain of delta lobes between
  * b and c so that it joins the new b to c, by a walk on the manifold of such chains. So it explores what no other strategy can but by
  * luck: light that a lens throws on what is seen in a mirror.

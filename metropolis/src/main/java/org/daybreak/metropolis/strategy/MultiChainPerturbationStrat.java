@@ -1,7 +1,7 @@
 package org.daybreak.metropolis.strategy;
 
 import org.daybreak.core.sampling.RandomStream;
-import org.daybreak.metropolis.Outcome;
+import org.daybreak.metropolis.chains.Outcome;
 
 /**
  * Moves the image point, follows ideal reflections and refractions to the first other vertex, tilts the direction there and goes on

@@ -24,7 +24,7 @@ import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.scene.RayCaster;
 import org.daybreak.core.scene.RayKind;
 import org.daybreak.core.scene.Scene;
-import org.daybreak.metropolis.Outcome;
+import org.daybreak.metropolis.chains.Outcome;
 import org.daybreak.tracing.EmissionGuide;
 
 /**

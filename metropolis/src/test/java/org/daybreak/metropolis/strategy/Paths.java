@@ -15,6 +15,21 @@ public final class Paths {
         return text.toString();
     }
 
+    /** What is seen, and what it is lit by: few cells, so that what is wrong with one surface or light shows. */
+    public static String ends(LightPath path) {
+        int seen = path.length - 2;
+        return path.light + " " + (seen == 0 ? "" : path.points[seen].shape + " " + path.lobe[seen]);
+    }
+
+    /** Number of edges and of delta lobes. */
+    public static String counts(LightPath path) {
+        int deltas = 0;
+        for (int i = 1; i < path.length - 1; i++) {
+            deltas += path.lobe[i] < 0 ? 0 : 1;
+        }
+        return path.length + " " + deltas;
+    }
+
     /** Where the vertices are, by octants about a point, and the image point by quadrants of the film. */
     public static String places(LightPath path, double x, double y, double z, int filmSize) {
         StringBuilder text = new StringBuilder();

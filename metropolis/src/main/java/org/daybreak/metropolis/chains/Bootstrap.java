@@ -1,0 +1,118 @@
+package org.daybreak.metropolis.chains;
+
+import java.util.Arrays;
+import java.util.function.BooleanSupplier;
+import org.daybreak.core.render.NonFiniteLog;
+import org.daybreak.core.render.OrderedWork;
+
+/** Draws the candidates for the starts of chains. */
+final class Bootstrap extends OrderedWork<Bootstrap.Block> {
+    private static final int BLOCK = 64;
+
+    private final ChainWorkers workers;
+    private final long seed;
+    private final int candidates;
+    private final BooleanSupplier stop;
+    private final Runnable watch;
+    private final NonFiniteLog nonFinite;
+    private double[] weights = new double[BLOCK];
+    private int drawn;
+    private int nextWorker;
+
+    /** Consecutive candidates. */
+    static final class Block {
+        private final double[] weights = new double[BLOCK];
+        private final NonFiniteLog nonFinite = new NonFiniteLog();
+        private int first;
+        private int count;
+        private double sum;
+        private boolean finite;
+
+        private void add(double weight) {
+            if (Double.isFinite(weight)) {
+                sum += weight;
+            } else {
+                finite = false;
+            }
+        }
+    }
+
+    /**
+     * Creates the work.
+     *
+     * @param seed of the workers, for addresses
+     * @param candidates how many to draw
+     * @param stop ends it early: what was drawn until then counts
+     * @param watch called several times a second
+     * @param nonFinite receives candidates with a weight that is not finite; such a state is left out
+     */
+    Bootstrap(
+            ChainWorkers workers,
+            long seed,
+            int candidates,
+            BooleanSupplier stop,
+            Runnable watch,
+            NonFiniteLog nonFinite) {
+        this.workers = workers;
+        this.seed = seed;
+        this.candidates = candidates;
+        this.stop = stop;
+        this.watch = watch;
+        this.nonFinite = nonFinite;
+    }
+
+    /** Draws. */
+    StartDistribution draw() {
+        run(workers.count());
+        return new StartDistribution(Arrays.copyOf(weights, drawn));
+    }
+
+    @Override
+    protected Block newSlot() {
+        return new Block();
+    }
+
+    @Override
+    protected Worker<Block> newWorker() {
+        ChainWorker worker = workers.get(nextWorker++);
+        return (unit, block) -> {
+            block.nonFinite.clear();
+            ChainWorker.Candidates found = (number, filmX, filmY, weight) -> block.add(weight);
+            for (int i = 0; i < block.count; i++) {
+                block.sum = 0;
+                block.finite = true;
+                worker.candidate(block.first + i, found);
+                block.weights[i] = block.sum;
+                if (!block.finite) {
+                    block.nonFinite.add("seed " + seed + ", candidate " + (block.first + i));
+                }
+            }
+        };
+    }
+
+    @Override
+    protected boolean claim(long unit, Block block) {
+        long first = unit * BLOCK;
+        if (first >= candidates || stop.getAsBoolean()) {
+            return false;
+        }
+        block.first = (int) first;
+        block.count = (int) Math.min(BLOCK, candidates - first);
+        return true;
+    }
+
+    @Override
+    protected void commit(long unit, Block block) {
+        if (drawn + block.count > weights.length) {
+            weights = Arrays.copyOf(weights, Math.min(candidates, Math.max(2 * weights.length, drawn + block.count)));
+        }
+        System.arraycopy(block.weights, 0, weights, drawn, block.count);
+        drawn += block.count;
+        nonFinite.addAll(block.nonFinite);
+    }
+
+    @Override
+    protected void watch() {
+        watch.run();
+    }
+}

@@ -1,0 +1,128 @@
+package org.daybreak.metropolis.chains;
+
+import java.util.Map;
+import org.daybreak.core.camera.Camera;
+import org.daybreak.core.film.Film;
+import org.daybreak.core.render.ParameterValues;
+import org.daybreak.core.render.Progress;
+import org.daybreak.core.render.RenderBudget;
+import org.daybreak.core.render.RenderContext;
+import org.daybreak.core.render.RenderListener;
+import org.daybreak.core.render.RenderReport;
+import org.daybreak.core.render.Renderer;
+import org.daybreak.core.scene.Scene;
+import org.daybreak.tracing.PathTracerFactory;
+
+/**
+ * Which paths are rendered apart from the chains, and how: those of at most two edges, by path tracing (thesis, section 5.4; Veach
+ * 1997, §11.5). Immutable.
+ */
+final class DirectPart {
+    private static final int EDGES = 2;
+
+    /** An eye subpath of so many vertices can follow all paths of two edges: it meets the emitter behind a mirror. */
+    private static final int EYE_VERTICES = 3;
+
+    private final ChainSettings settings;
+    private final int maxEyeDepth;
+    private final int maxDepth;
+
+    /**
+     * Finds out.
+     *
+     * @param maxEyeDepth largest number of vertices of an eye subpath, -1 for no limit
+     * @param maxDepth largest number of edges of a path, -1 for no limit
+     */
+    DirectPart(ChainSettings settings, int maxEyeDepth, int maxDepth) {
+        this.settings = settings;
+        this.maxEyeDepth = maxEyeDepth;
+        this.maxDepth = maxDepth;
+    }
+
+    /** True if there is such a part. */
+    boolean exists() {
+        return settings.separateDirect() && !isImpossible();
+    }
+
+    /** True if there shall be such a part, but path tracing would find other paths than those that the limits of depth allow. */
+    boolean isImpossible() {
+        return settings.separateDirect() && maxEyeDepth >= 0 && maxEyeDepth < EYE_VERTICES;
+    }
+
+    /** True if no paths are left for the chains. */
+    boolean isAll() {
+        return exists() && maxDepth >= 0 && maxDepth <= EDGES;
+    }
+
+    /** Smallest number of edges of the paths that are left for the chains. */
+    int shortestOfChains() {
+        return exists() ? EDGES + 1 : 1;
+    }
+
+    /** What part of all work it is. */
+    double share() {
+        return isAll() ? 1 : settings.directShare();
+    }
+
+    /**
+     * Renders it.
+     *
+     * @param context of the whole render, with the state to go on from and the checkpoints of this part of it
+     */
+    RenderReport render(Scene scene, Camera camera, Film film, RenderContext context) {
+        int edges = maxDepth >= 0 ? Math.min(EDGES, maxDepth) : EDGES;
+        PathTracerFactory factory = new PathTracerFactory();
+        Map<String, String> parameters = Map.of("maxDepth", Integer.toString(edges), "splitting", "1");
+        Renderer renderer = factory.create(ParameterValues.parse(factory.parameters(), parameters, factory.id()));
+        return renderer.render(
+                scene,
+                camera,
+                film,
+                new RenderContext(
+                        context.seed(),
+                        context.threads(),
+                        budget(context.budget()),
+                        context.antialiasing(),
+                        context.cancellation(),
+                        new Listener(context.listener(), context.budget().seconds()),
+                        context.part(),
+                        context.start(),
+                        context.checkpoints()));
+    }
+
+    /**
+     * Of the time, this part may take its share. Of the square of the error half is for it, so that the chains can bring the whole
+     * below the target: as its own relative error is that of a darker image, this is on the safe side.
+     */
+    private RenderBudget budget(RenderBudget whole) {
+        boolean open = whole.samplesPerPixel() >= Integer.MAX_VALUE;
+        double target = isAll() ? whole.targetError() : whole.targetError() * Math.sqrt(0.5);
+        return new RenderBudget(open ? Integer.MAX_VALUE : settings.directSamples(), whole.seconds() * share(), target);
+    }
+
+    /** Tells of this part's progress as a part of the whole. */
+    private final class Listener implements RenderListener {
+        private final RenderListener whole;
+        private final double seconds;
+
+        Listener(RenderListener whole, double seconds) {
+            this.whole = whole;
+            this.seconds = seconds;
+        }
+
+        @Override
+        public void progress(Progress p) {
+            double fraction = p.fraction() * share();
+            double left = seconds < Double.POSITIVE_INFINITY
+                    ? seconds - p.secondsElapsed()
+                    : p.secondsElapsed() * (1 - fraction) / fraction;
+            whole.progress(new Progress(
+                    fraction, p.samples(), p.samplesPerSecond(), p.secondsElapsed(), Math.max(0, left), Double.NaN));
+        }
+
+        @Override
+        public void passFinished(Film film) {
+            whole.passFinished(film);
+        }
+    }
+}
