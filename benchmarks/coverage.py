@@ -38,7 +38,7 @@ def render(scene, options, arguments, seed):
         command += ["--threads", str(arguments.threads), "--seed", str(seed), "--progress", "none", "-o", image, "--stats", stats]
         if arguments.size:
             command += ["--size", arguments.size]
-        subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
+        subprocess.run(command, check=True)
         channels = OpenEXR.File(image, separate_channels=True).channels()
         pixels = np.stack([channels[c].pixels for c in "RGB"], axis=-1).astype(np.float64)
         with open(stats, encoding="utf-8") as f:
