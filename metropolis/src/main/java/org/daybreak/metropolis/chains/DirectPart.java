@@ -23,6 +23,9 @@ final class DirectPart {
     /** An eye subpath of so many vertices can follow all paths of two edges: it meets the emitter behind a mirror. */
     private static final int EYE_VERTICES = 3;
 
+    /** Seconds in which a virtual machine that has just started takes a first sample of each pixel. */
+    private static final double LEAST_SECONDS = 1;
+
     private final ChainSettings settings;
     private final int maxEyeDepth;
     private final int maxDepth;
@@ -91,13 +94,14 @@ final class DirectPart {
     }
 
     /**
-     * Of the time, this part may take its share. Of the square of the error half is for it, so that the chains can bring the whole
+     * Of the time, this part may take its share, and of short times so much that each pixel should get a sample. Of the square of the error half is for it, so that the chains can bring the whole
      * below the target: as its own relative error is that of a darker image, this is on the safe side.
      */
     private RenderBudget budget(RenderBudget whole) {
         boolean open = whole.samplesPerPixel() >= Integer.MAX_VALUE;
         double target = isAll() ? whole.targetError() : whole.targetError() * Math.sqrt(0.5);
-        return new RenderBudget(open ? Integer.MAX_VALUE : settings.directSamples(), whole.seconds() * share(), target);
+        double seconds = Math.max(whole.seconds() * share(), Math.min(0.5 * whole.seconds(), LEAST_SECONDS));
+        return new RenderBudget(open ? Integer.MAX_VALUE : settings.directSamples(), seconds, target);
     }
 
     /** Tells of this part's progress as a part of the whole. */
