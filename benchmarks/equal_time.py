@@ -7,6 +7,9 @@ direct lighting and the start, and their samples per pixel are mutations) and pr
 efficiencies 1/(error * seconds) against the reference images of src/test/resources/reference, for two errors:
   relMSE = mean((x - ref)^2 / (ref^2 + 0.01)) and MSE = mean((x - ref)^2), each less the reference's own variance.
 
+The scene `plain_box`, cornell_spheres without the spheres at 256x256, has no reference image: its error is the variance between the runs,
+over the squared mean plus 0.01 and as such. Not among the default scenes.
+
 Of `metropolis`, `pssmlt` and `mmlt` it also prints the ratio to what Mitsuba 0.6's `mlt` and `pssmlt` reach in the same measure.
 
 Needs: python 3, `pip install mitsuba==3.9.1 OpenEXR==3.5.3 numpy`, and LLVM 19 for `llvm_ad_rgb` (Debian: libllvm19).
@@ -25,6 +28,8 @@ import time
 
 import numpy as np
 import OpenEXR
+
+import thesis_figures
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SCENES = ["cornell_spheres", "gold_ring", "veach_room", "door_ajar"]
@@ -101,6 +106,33 @@ def run_mitsuba(scene_file, variant, seconds, threads, seed):
         return data["image"], float(data["seconds"]), int(data["spp"])
 
 
+def plain_box(arguments, variants):
+    """Compares without a reference: by the variance between runs."""
+    with tempfile.TemporaryDirectory() as folder:
+        def edit(root):
+            thesis_figures.remove_spheres(root)
+            for size in ("width", "height"):
+                root.find(f"sensor/film/integer[@name='{size}']").set("value", "256")
+
+        file = thesis_figures.variant("cornell_spheres", folder, edit)
+        runs = range(1, arguments.runs + 1)
+        ours = [run_daybreak(file, arguments.seconds, arguments.threads, r, arguments.renderer, arguments.option)[:2] for r in runs]
+        rows = {arguments.renderer: ours}
+        for variant in variants:
+            rows[variant] = [run_mitsuba(file, variant, arguments.seconds, arguments.threads, r)[:2] for r in runs]
+    cost = {}
+    for name, results in rows.items():
+        images = np.stack([image for image, _ in results])
+        mean, variance = images.mean(0), images.var(0, ddof=1)
+        rel, mse = np.mean(variance / (mean**2 + 0.01)), np.mean(variance)
+        seconds = statistics.mean(s for _, s in results)
+        cost[name] = rel * seconds, mse * seconds
+        print(f"{'plain_box':18} {name:14} {seconds:8.2f} s {rel:11.4e} {mse:11.4e}   mean {mean.mean():.5f}", flush=True)
+    for variant in variants:
+        rel, mse = (cost[variant][i] / cost[arguments.renderer][i] for i in (0, 1))
+        print(f"{'plain_box':18} {arguments.runs} runs against {variant}: {rel:.2f} by relMSE, {mse:.2f} by MSE", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scenes", nargs="*", default=SCENES)
@@ -114,6 +146,9 @@ def main():
     variants = [v for v in arguments.variants.split(",") if v]
     print(f"{'scene':18} {'renderer':14} {'spp':>8} {'seconds':>8} {'relMSE':>11} {'MSE':>11}   efficiency daybreak/peer: relMSE  MSE")
     for name in arguments.scenes or SCENES:
+        if name == "plain_box":
+            plain_box(arguments, variants)
+            continue
         scene_file = os.path.join(ROOT, "scenes", name, "scene.xml")
         folder = os.path.join(ROOT, "src", "test", "resources", "reference", name)
         reference = read_rgb(os.path.join(folder, "reference.exr"))

@@ -32,7 +32,7 @@ class MetropolisAgreementTest {
     private static final double SIGNIFICANCE = 1e-4;
     private static final int RUNS = 16;
     private static final List<String> STRATEGIES =
-            List.of("bidirectional", "lensSubpath", "lens", "caustic", "multiChain");
+            List.of("bidirectional", "lensSubpath", "lens", "caustic", "multiChain", "manifold");
     private static final List<String> SHIPPED = List.of("cornell_spheres", "gold_ring", "veach_room", "door_ajar");
 
     private static final List<String> OPTIONS = List.of(

@@ -56,8 +56,8 @@ class StationaryDistributionTest {
     /** Samples for the table per sample for the starts. */
     private static final int TABLE = 3;
 
-    private static final String ALONE = "BISLCM";
-    private static final List<String> MIXTURES = List.of("B", "I", "BS", "BL", "BC", "BM", "BSLCM", "ISLCM");
+    private static final String ALONE = "BISLCMF";
+    private static final List<String> MIXTURES = List.of("B", "I", "BS", "BL", "BC", "BM", "BF", "BSLCMF", "ISLCMF");
 
     /** Cells with fewer expected ends are pooled. */
     private static final double LEAST_EXPECTED = 5;
@@ -69,13 +69,13 @@ class StationaryDistributionTest {
     @ParameterizedTest
     @MethodSource("scenes")
     void strategiesKeepTheDistribution(String name) {
-        check(name, STARTS, ImageImportance.UNIFORM, List.of("BSLCM"));
+        check(name, STARTS, ImageImportance.UNIFORM, List.of("BSLCMF"));
     }
 
     /** The target of the second of two stages. */
     @Test
     void strategiesKeepTheDistributionOfTheSecondStage() {
-        check("plastic", STARTS, factor(), List.of("BSLCM"));
+        check("plastic", STARTS, factor(), List.of("BSLCMF"));
     }
 
     private static ImageImportance factor() {
