@@ -76,10 +76,10 @@ class MetropolisAgreementTest {
     static Stream<Arguments> fewRows() {
         List<Arguments> rows = new ArrayList<>();
         for (String strategy : STRATEGIES) {
-            rows.add(Arguments.of("cornell_spheres", only(strategy) + " separateDirect=false", 32, 0.25));
+            rows.add(Arguments.of("cornell_spheres", only(strategy) + " separateDirect=false", 96, 0.2));
         }
         for (String option : OPTIONS) {
-            rows.add(Arguments.of("cornell_spheres", option, 32, 0.25));
+            rows.add(Arguments.of("cornell_spheres", option, 96, 0.2));
         }
         rows.add(Arguments.of("gold_ring", "", 48, 0.3));
         rows.add(Arguments.of("veach_room", "", 48, 0.3));
@@ -122,7 +122,7 @@ class MetropolisAgreementTest {
     @ParameterizedTest
     @MethodSource("fewRows")
     void agreesWithBidirectional(String name, String settings, int mutations, double detectable) throws SceneException {
-        check(name, "seedPaths=100 bootstrapSamples=4000 " + settings, mutations, 32, detectable);
+        check(name, "seedPaths=100 bootstrapSamples=20000 " + settings, mutations, 32, detectable);
     }
 
     @Tag("reference")

@@ -80,7 +80,7 @@ final class StationaryStates {
             case 'S' ->
                 new LensSubpathStrat(2, limits, new FilmStrata(scene.camera().width(), this::pixel));
             case 'L' -> new LensPerturbationStrat(1.5, smallest, largest);
-            case 'F' -> new ManifoldPerturbationStrat(0.6, smallest, largest);
+            case 'F' -> new ManifoldPerturbationStrat(0.6, smallest, largest, smallest, 0.7 * largest);
             case 'C' -> new CausticPerturbationStrat(0.7, smallest, largest);
             case 'M' -> new MultiChainPerturbationStrat(1.2, smallest, largest, smallest, 0.7 * largest);
             default -> throw new IllegalArgumentException("no strategy " + letter);
