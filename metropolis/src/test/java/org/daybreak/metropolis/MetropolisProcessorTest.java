@@ -114,7 +114,8 @@ class MetropolisProcessorTest {
     void allStrategiesOffIsAnError() {
         ParameterException e = assertThrows(
                 ParameterException.class,
-                () -> settings("bidirectional=0", "lensSubpath=0", "lens=0", "caustic=0", "multiChain=0", "manifold=0"));
+                () -> settings(
+                        "bidirectional=0", "lensSubpath=0", "lens=0", "caustic=0", "multiChain=0", "manifold=0"));
         assertTrue(String.valueOf(e.getMessage()).contains("all mutation strategies are switched off"), e.getMessage());
     }
 
