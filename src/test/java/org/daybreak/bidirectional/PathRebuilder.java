@@ -241,14 +241,18 @@ final class PathRebuilder {
         return k == 1;
     }
 
-    /** The weight of technique s asked from the program. */
-    double weight(ComplementTracer complement, int s, double exponent, boolean lens) {
+    /**
+     * The weight of technique s asked from the program.
+     *
+     * @param share as how many samples one of t = 1 counts; 0 without that technique
+     */
+    double weight(ComplementTracer complement, int s, double exponent, double share) {
         int t = k + 1 - s;
         if (t <= 1) {
             return weightAtLens(complement, s, exponent);
         }
         double[] e = s == 0 ? new double[3] : path.edges[s - 1];
-        PathValues eye = eyePath(t, exponent, lens);
+        PathValues eye = eyePath(t, exponent, share);
         if (s == 0) {
             return complement.met(eye, t, path.lightIndex);
         }
@@ -329,7 +333,7 @@ final class PathRebuilder {
     }
 
     /** The last vertices of the path as an eye subpath. */
-    PathValues eyePath(int t, double exponent, boolean lens) {
+    PathValues eyePath(int t, double exponent, double share) {
         PathValues values = new PathValues();
         values.reserve(t);
         values.setLength(t);
@@ -342,7 +346,7 @@ final class PathRebuilder {
             values.reverse[j] = fromLight[i];
             values.delta[j] = path.delta[i];
             values.light[j] = i == 0 ? path.lightIndex : -1;
-            values.tail[j] = eyeTail(j, exponent, lens);
+            values.tail[j] = eyeTail(j, exponent, share);
             if (j > 0) {
                 values.backX[j] = path.edges[i][0];
                 values.backY[j] = path.edges[i][1];
@@ -377,13 +381,13 @@ final class PathRebuilder {
     }
 
     /** Σ over techniques that connect before z_j, or before that, as seen from the lens. */
-    private double eyeTail(int j, double exponent, boolean lens) {
+    private double eyeTail(int j, double exponent, double share) {
         double sum = 0;
         for (int t = 0; t <= j; t++) {
-            if (t == 0 ? !lensHits : (t == 1 && !lens) || !path.joinable(k + 1 - t)) {
+            if (t == 0 ? !lensHits : (t == 1 && share == 0) || !path.joinable(k + 1 - t)) {
                 continue;
             }
-            double ratio = 1;
+            double ratio = t == 1 ? share : 1;
             for (int m = t; m < j; m++) {
                 ratio *= fromLight[k - m] / fromEye[k - m];
             }

@@ -102,9 +102,9 @@ class WeightsTest {
     }
 
     private static void check(String name, Scene scene, int paths, long seed) {
-        new Check(name, scene, false, false, 1, 2, paths / 3, seed).run();
-        new Check(name, scene, false, true, 3, 1, paths / 3, seed + 100).run();
-        new Check(name, scene, true, true, 1, 1, paths / 3, seed + 200).run();
+        new Check(name, scene, false, false, 1, 2, 0.25, paths / 3, seed).run();
+        new Check(name, scene, false, true, 3, 1, 0.01, paths / 3, seed + 100).run();
+        new Check(name, scene, true, true, 1, 1, 1, paths / 3, seed + 200).run();
     }
 
     /** The paths of one scene. */
@@ -118,6 +118,7 @@ class WeightsTest {
         private final LightDensities lights;
         private final boolean lensHits;
         private final double exponent;
+        private final double share;
         private final int wanted;
         private final SplittableRandom random;
         private int checked;
@@ -129,6 +130,7 @@ class WeightsTest {
                 boolean lensHits,
                 int splitting,
                 double exponent,
+                double share,
                 int wanted,
                 long seed) {
             this.name = name;
@@ -140,6 +142,7 @@ class WeightsTest {
             lights = new LightDensities(scene, guide, allLights);
             this.lensHits = lensHits;
             this.exponent = exponent;
+            this.share = share;
             this.wanted = wanted;
             random = new SplittableRandom(seed);
         }
@@ -156,6 +159,7 @@ class WeightsTest {
                     splitting,
                     allLights,
                     causticMap,
+                    share,
                     hits,
                     1);
         }
@@ -217,7 +221,8 @@ class WeightsTest {
                         && !(s == 1 && seenByEye)
                         && within(k + 1 - s, settings.maxEyeDepth())
                         && within(s, settings.maxLightDepth());
-                logs[s] = admissible ? rebuilder.logDensity(s) : Double.NEGATIVE_INFINITY;
+                double count = s == k ? share : 1;
+                logs[s] = admissible ? rebuilder.logDensity(s) + Math.log(count) : Double.NEGATIVE_INFINITY;
                 largest = Math.max(largest, logs[s]);
             }
             double[] weights = new double[k + 2];
@@ -233,7 +238,7 @@ class WeightsTest {
             double sum = 0;
             for (int s = 0; s <= k + 1; s++) {
                 if (logs[s] > Double.NEGATIVE_INFINITY) {
-                    weights[s] = rebuilder.weight(complement, s, beta, settings.causticMap());
+                    weights[s] = rebuilder.weight(complement, s, beta, settings.causticMap() ? share : 0);
                     sum += weights[s];
                     int technique = s;
                     assertEquals(
@@ -269,7 +274,7 @@ class WeightsTest {
                 checkStored(expected, found.light, s, s, path);
             }
             if (t >= 2) {
-                checkStored(rebuilder.eyePath(t, exponent, true), found.eye, t, s == 0 ? t - 1 : t, path);
+                checkStored(rebuilder.eyePath(t, exponent, share), found.eye, t, s == 0 ? t - 1 : t, path);
             }
         }
 

@@ -19,6 +19,7 @@ import org.daybreak.core.render.ParameterValues;
  * @param splitting number of ways in which an eye subpath goes on from the first surface that scatters diffusely
  * @param allLights whether each sample has a light subpath and a light sample for every light, or for one that is chosen
  * @param causticMap whether light subpaths are joined to the lens
+ * @param causticMapShare as how many samples a light subpath joined to the lens counts in the weights, in (0, 1]
  * @param lensHits whether light subpaths count that hit a lens with an area
  * @param minDepth smallest number of edges of the full paths that count: shorter ones are left out, which does not change the weights
  *     of the others
@@ -33,6 +34,7 @@ public record BidirectionalSettings(
         int splitting,
         boolean allLights,
         boolean causticMap,
+        double causticMapShare,
         boolean lensHits,
         int minDepth) {
     /** Where Russian roulette is played. */
@@ -114,6 +116,15 @@ public record BidirectionalSettings(
                     "one: a light is chosen by its power for the light path, and by its effect for each light sample;"
                             + " all: every light gets a light path and a light sample. Does not change the mean."),
             CAUSTIC_MAP,
+            Parameter.real(
+                    "causticMapShare",
+                    "Share of the caustic map",
+                    0.25,
+                    1e-3,
+                    1,
+                    "As how many samples a light path at the lens counts in the weights. Each pixel has eye paths of its"
+                            + " own, while light paths fall where they will, which a comparison of densities does not"
+                            + " see; 1 is that comparison. Does not change the mean."),
             Parameter.flag(
                     "lensHits",
                     "Light paths that hit the lens",
@@ -167,7 +178,7 @@ public record BidirectionalSettings(
         }
     }
 
-    /** Settings with which paths of all lengths count, but hits of the lens do not. */
+    /** Settings with which paths of all lengths count, but hits of the lens do not, and densities alone decide weights. */
     public BidirectionalSettings(
             int maxEyeDepth,
             int maxLightDepth,
@@ -188,6 +199,7 @@ public record BidirectionalSettings(
                 splitting,
                 allLights,
                 causticMap,
+                1,
                 false,
                 1);
     }
@@ -215,6 +227,7 @@ public record BidirectionalSettings(
                 values.integer("splitting"),
                 values.choice("lightsPerPath").equals("all"),
                 values.flag("causticMap"),
+                values.real("causticMapShare"),
                 values.flag("lensHits"),
                 1);
     }
@@ -254,13 +267,15 @@ public record BidirectionalSettings(
                 splitting,
                 allLights,
                 causticMap,
+                causticMapShare,
                 lensHits,
                 edges);
     }
 
     /**
      * The same settings for samples that depend on nothing but their numbers: with one light subpath, without splitting, without hits
-     * of the lens, and without the roulette for occlusion tests, which goes by the samples before.
+     * of the lens, without the roulette for occlusion tests, which goes by the samples before, and with weights by densities alone, as
+     * pixels have no samples of their own.
      */
     public BidirectionalSettings singleSample() {
         return new BidirectionalSettings(
@@ -273,6 +288,7 @@ public record BidirectionalSettings(
                 1,
                 false,
                 causticMap,
+                1,
                 false,
                 minDepth);
     }
@@ -306,7 +322,7 @@ public record BidirectionalSettings(
             eye = (int) Math.min(eye, maxDepth + 1L);
             light = (int) Math.min(light, hits ? maxDepth + 1L : maxDepth);
         }
-        return new TechniqueLimits(eye, light, causticMap, parallelFilm, hits);
+        return new TechniqueLimits(eye, light, causticMap, parallelFilm, hits, causticMapShare);
     }
 
     /** Whether light paths bring something to the lens. */

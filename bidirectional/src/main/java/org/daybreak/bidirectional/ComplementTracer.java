@@ -28,6 +28,9 @@ final class ComplementTracer {
     private final TechniqueLimits limits;
     private final double exponent;
     private final int splitting;
+    /** n^β of technique t = 1. */
+    private final double lensShare;
+
     private final CombinedPathValues combined = new CombinedPathValues();
 
     private PathValues light = NONE;
@@ -65,6 +68,7 @@ final class ComplementTracer {
         this.limits = limits;
         this.exponent = exponent;
         this.splitting = splitting;
+        lensShare = MisWeight.power(limits.lensShare(), exponent);
     }
 
     /**
@@ -278,7 +282,9 @@ final class ComplementTracer {
 
     /** The weight by {@link MisWeight#chain}, for configurations whose limits of depth leave all techniques of the path. */
     double chainedWeight() {
-        double sum = 1;
+        // All others are relative to the density of the technique in hand.
+        double own = t == 1 ? lensShare : 1;
+        double sum = own;
         if (s >= 2) {
             int e = s - 1;
             double admissible = e == 1 ? power(light.nextEventRatio) : light.delta[e - 1] ? 0 : 1;
@@ -293,21 +299,21 @@ final class ComplementTracer {
             sum += power(first / nextEvent)
                     * (t >= 2 ? eyeChain(power(eyeEnd / eye.forward[t - 1])) : power(eyeEnd / onLens));
         } else {
-            double own = eye.forward[t - 1];
+            double met = eye.forward[t - 1];
             if (t == 2) {
-                sum += limits.emitterAtLens() ? power(first / own) : 0;
+                sum += limits.emitterAtLens() ? power(first / met) : 0;
             } else {
-                sum += eye.delta[t - 2] ? 0 : power(nextEvent / own);
+                sum += eye.delta[t - 2] ? 0 : power(nextEvent / met);
             }
-            sum += power(first / own) * power(eyeBefore / eye.forward[t - 2]) * eye.tail[t - 2];
+            sum += power(first / met) * power(eyeBefore / eye.forward[t - 2]) * eye.tail[t - 2];
         }
-        return 1 / sum;
+        return own / sum;
     }
 
     /** Σ over the techniques with fewer vertices from the eye, relative to one with z_{t−1} joined to the light side. */
     private double eyeChain(double ratio) {
         int f = t - 1;
-        double admissible = f == 1 ? (limits.lens() ? 1 : 0) : eye.delta[f - 1] ? 0 : 1;
+        double admissible = f == 1 ? (limits.lens() ? lensShare : 0) : eye.delta[f - 1] ? 0 : 1;
         return MisWeight.chain(ratio, admissible, power(eyeBefore / eye.forward[f - 1]), eye.tail[f - 1]);
     }
 

@@ -4,8 +4,9 @@ import org.daybreak.core.sampling.Mixing;
 
 /**
  * Efficiency-optimised Russian roulette for occlusion tests (Veach 1997, §10.4.1; thesis §4.4, eq. 4.7–4.10): a contribution t
- * is tested with probability q = min(1, t/δ) and divided by q, where δ = σ/√n, with σ² the variance of a sample and n its rays. One object
- * per worker.
+ * is tested with probability q = min(1, t/δ) and divided by q, where δ = σ/√n, with σ² the variance of a sample and n its cost in
+ * occlusion tests. Veach counts rays alone, which once were nearly all the cost: where vertices cost more than tests, that leaves out
+ * tests that are worth their price. One object per worker.
  *
  * <p>σ and n are running averages over the samples of a work unit, so they depend on nothing but the unit. δ is set before a
  * sample and kept for all of it, and is 0 for the first ones: there is no bias. σ comes from the differences of
@@ -28,7 +29,7 @@ final class ConnectionRoulette {
     private final boolean on;
     private double difference;
     private double mean;
-    private double rays;
+    private double averageCost;
     private double last;
     private int samples;
     private double threshold;
@@ -43,7 +44,7 @@ final class ConnectionRoulette {
         samples = 0;
         difference = 0;
         mean = 0;
-        rays = 0;
+        averageCost = 0;
         threshold = 0;
     }
 
@@ -54,7 +55,7 @@ final class ConnectionRoulette {
      */
     void beginSample(double u) {
         state = Double.doubleToRawLongBits(u);
-        threshold = on && samples >= WARM_UP && rays > 0 ? DEVIATION * difference / Math.sqrt(rays) : 0;
+        threshold = on && samples >= WARM_UP && averageCost > 0 ? DEVIATION * difference / Math.sqrt(averageCost) : 0;
     }
 
     /**
@@ -77,7 +78,7 @@ final class ConnectionRoulette {
      * A sample has ended.
      *
      * @param luminance sum of its contributions
-     * @param cost its rays
+     * @param cost its cost, in occlusion tests
      */
     void endSample(double luminance, long cost) {
         if (!(luminance < Double.POSITIVE_INFINITY)) {
@@ -89,7 +90,7 @@ final class ConnectionRoulette {
             // Growth from nothing is by the mean luminance, bounded likewise.
             mean += share * (Math.min(luminance, MOST * mean + (samples < WARM_UP ? luminance : 0)) - mean);
             difference += share * (Math.min(step, MOST * difference + mean) - difference);
-            rays += share * (cost - rays);
+            averageCost += share * (cost - averageCost);
         }
         last = luminance;
         samples++;

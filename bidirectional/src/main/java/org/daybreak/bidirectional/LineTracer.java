@@ -67,7 +67,9 @@ public final class LineTracer {
     private final LightDensities lights;
     private final EmissionGuide guide;
     private final double exponent;
-    private final boolean lensAdmissible;
+    /** What technique t = 1 counts as in sums of weights. */
+    private final double lensAdmissible;
+
     private final boolean lensHits;
     private final LensSample lens;
     private LensHits hits = NO_HITS;
@@ -156,7 +158,7 @@ public final class LineTracer {
         this.camera = camera;
         this.caster = caster;
         this.exponent = exponent;
-        lensAdmissible = limits.lens();
+        lensAdmissible = limits.lens() ? MisWeight.power(limits.lensShare(), exponent) : 0;
         lensHits = limits.lensHits();
         this.lens = lens;
         this.rrDepth = rrDepth;
@@ -553,7 +555,7 @@ public final class LineTracer {
         if (i > 1) {
             admissible = edge ? 1 : 0;
         } else if (eye) {
-            admissible = lensAdmissible && edge ? 1 : 0;
+            admissible = edge ? lensAdmissible : 0;
         } else {
             admissible = edge ? MisWeight.power(path.nextEventRatio, exponent) : 0;
         }

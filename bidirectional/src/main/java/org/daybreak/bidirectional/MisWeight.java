@@ -2,7 +2,8 @@ package org.daybreak.bidirectional;
 
 /**
  * Weights of multiple importance sampling for full paths x₀…x_k, x₀ on the light and x_k on the lens (Veach 1997, eq. 8.8
- * and §10.2; thesis eq. 4.6): w_s = p_s^β / Σ_i p_i^β over the techniques i that the configuration can sample. Pure functions.
+ * and §10.2; thesis eq. 4.6): w_s = (n_s p_s)^β / Σ_i (n_i p_i)^β over the techniques i that the configuration can sample. n_i is
+ * 1 but for light paths joined to the lens: {@link TechniqueLimits#share}. Pure functions.
  *
  * <p>Technique s takes s vertices from the light and k+1−s from the lens; technique k+1 hits the lens. With L_i and E_i the
  * densities of x_i from the light and from the lens, and N that of x₀ by next-event estimation, which technique 1 samples it with,
@@ -55,14 +56,14 @@ final class MisWeight {
         double sum = 1;
         double[] fromLight = path.fromLight;
         double[] fromEye = path.fromEye;
-        double own = first(path, s);
+        double own = first(path, s, limits);
         double ratio = 1;
         for (int i = s - 1; i >= 0; i--) {
             if (i > 0) {
                 ratio *= fromEye[i] / fromLight[i];
             }
             if (limits.admits(path, i)) {
-                sum += power(ratio * first(path, i) / own, exponent);
+                sum += power(ratio * first(path, i, limits) / own, exponent);
             }
         }
         ratio = 1;
@@ -71,14 +72,15 @@ final class MisWeight {
                 ratio *= fromLight[i - 1] / fromEye[i - 1];
             }
             if (limits.admits(path, i)) {
-                sum += power(ratio * first(path, i) / own, exponent);
+                sum += power(ratio * first(path, i, limits) / own, exponent);
             }
         }
         return 1 / sum;
     }
 
-    /** Density of x₀ in a technique. */
-    private static double first(CombinedPathValues path, int s) {
-        return s == 0 ? path.fromEye[0] : s == 1 ? path.nextEvent : path.fromLight[0];
+    /** Density of x₀ in a technique, times n_s. */
+    private static double first(CombinedPathValues path, int s, TechniqueLimits limits) {
+        double density = s == 0 ? path.fromEye[0] : s == 1 ? path.nextEvent : path.fromLight[0];
+        return limits.share(path, s) * density;
     }
 }

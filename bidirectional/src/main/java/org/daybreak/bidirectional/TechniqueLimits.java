@@ -8,8 +8,15 @@ package org.daybreak.bidirectional;
  * @param lens whether t = 1 is among them
  * @param parallelFilm whether the camera sees along a single direction, so that what is at infinity is sampled by film position
  * @param lensHits whether t = 0 is among them: light subpaths that hit the lens
+ * @param lensShare as how many samples one of t = 1 counts in the weights, in (0, 1]
  */
-record TechniqueLimits(int maxEyeVertices, int maxLightVertices, boolean lens, boolean parallelFilm, boolean lensHits) {
+record TechniqueLimits(
+        int maxEyeVertices,
+        int maxLightVertices,
+        boolean lens,
+        boolean parallelFilm,
+        boolean lensHits,
+        double lensShare) {
     /** True if no technique of a path with so many vertices is beyond the limits of depth. */
     boolean leaveAll(int vertices) {
         return vertices <= maxEyeVertices && vertices - (lensHits ? 0 : 1) <= maxLightVertices;
@@ -21,6 +28,11 @@ record TechniqueLimits(int maxEyeVertices, int maxLightVertices, boolean lens, b
      */
     boolean emitterAtLens() {
         return lens && maxEyeVertices == 1;
+    }
+
+    /** As how many samples one of technique s counts, which its density is multiplied by. */
+    double share(CombinedPathValues path, int s) {
+        return path.length() - s == 1 ? lensShare : 1;
     }
 
     /** True if technique s can make the path. */

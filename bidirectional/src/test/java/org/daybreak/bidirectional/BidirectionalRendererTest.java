@@ -30,7 +30,7 @@ class BidirectionalRendererTest {
     void defaultsHaveNoLimits() {
         assertEquals(
                 new BidirectionalSettings(
-                        -1, -1, -1, 2, BidirectionalSettings.Roulette.EFFICIENCY, 3, 2, false, true, false, 1),
+                        -1, -1, -1, 2, BidirectionalSettings.Roulette.EFFICIENCY, 3, 2, false, true, 0.25, false, 1),
                 parse(Map.of()));
     }
 

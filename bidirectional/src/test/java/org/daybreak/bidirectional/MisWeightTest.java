@@ -25,12 +25,13 @@ class MisWeightTest {
         return path;
     }
 
-    /** p₀ = 7·11·13·19, p₁ = 17·11·13·19, p₂ = 2·3·13·19, p₃ = 2·3·5·19, p₄ = 2·3·5·23. */
+    /** p₀ = 7·11·13·19, p₁ = 17·11·13·19, p₂ = 2·3·13·19, p₃ = 2·3·5·19, p₄ = 2·3·5·23; of p₃ a third counts. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 1, 2, 4})
     void weightsAreThoseOfTheDensities(double exponent) {
-        double[] densities = {7 * 11 * 13 * 19, 17 * 11 * 13 * 19, 2 * 3 * 13 * 19, 2 * 3 * 5 * 19, 2 * 3 * 5 * 23};
-        TechniqueLimits limits = new TechniqueLimits(100, 100, true, false, true);
+        double[] densities = {7 * 11 * 13 * 19, 17 * 11 * 13 * 19, 2 * 3 * 13 * 19, 2 * 3 * 5 * 19 / 3.0, 2 * 3 * 5 * 23
+        };
+        TechniqueLimits limits = new TechniqueLimits(100, 100, true, false, true, 1 / 3.0);
         double sum = 0;
         for (double density : densities) {
             sum += Math.pow(density, exponent);
@@ -75,7 +76,7 @@ class MisWeightTest {
         if (delta > 0) {
             path.delta[delta] = true;
         }
-        TechniqueLimits limits = new TechniqueLimits(eyeVertices, lightVertices, lens, false, lensHits);
+        TechniqueLimits limits = new TechniqueLimits(eyeVertices, lightVertices, lens, false, lensHits, 0.1);
         int admitted = 0;
         for (int s = 0; s <= 4; s++) {
             if (limits.admits(path, s)) {
@@ -97,24 +98,27 @@ class MisWeightTest {
     /** The form that costs the same for any length of the path gives what the arrays of densities give. */
     @ParameterizedTest
     @CsvSource({
-        "0, true, false",
-        "0.5, true, false",
-        "1, true, false",
-        "2, true, false",
-        "4, true, false",
-        "2, false, false",
-        "0, false, false",
-        "0, true, true",
-        "1, true, true",
-        "2, true, true",
-        "4, true, true",
-        "2, false, true"
+        "0, true, 0.1, false",
+        "0.5, true, 0.1, false",
+        "1, true, 0.1, false",
+        "2, true, 0.1, false",
+        "2, true, 1, false",
+        "4, true, 0.1, false",
+        "2, false, 0.1, false",
+        "0, false, 0.1, false",
+        "0, true, 0.1, true",
+        "1, true, 0.1, true",
+        "2, true, 0.1, true",
+        "2, true, 1, true",
+        "4, true, 0.1, true",
+        "2, false, 0.1, true"
     })
-    void chainedFormIsTheArrayForm(double exponent, boolean lens, boolean lensHits) {
+    void chainedFormIsTheArrayForm(double exponent, boolean lens, double share, boolean lensHits) {
         Scene scene = lensHits ? TestScenes.glassThroughWideLens(24, 18) : TestScenes.everything(24, 18);
-        TechniqueLimits limits = new TechniqueLimits(Integer.MAX_VALUE, Integer.MAX_VALUE, lens, false, lensHits);
+        TechniqueLimits limits =
+                new TechniqueLimits(Integer.MAX_VALUE, Integer.MAX_VALUE, lens, false, lensHits, share);
         BidirectionalSettings settings = new BidirectionalSettings(
-                -1, -1, -1, exponent, BidirectionalSettings.Roulette.THROUGHPUT, 5, 2, false, lens, lensHits, 1);
+                -1, -1, -1, exponent, BidirectionalSettings.Roulette.THROUGHPUT, 5, 2, false, lens, share, lensHits, 1);
         int[] lengths = new int[64];
         int[] hits = new int[1];
         Contribution.Listener listener = c -> {

@@ -185,6 +185,7 @@ class TechniquesTest {
                     subject.splitting,
                     subject.allLights,
                     true,
+                    0.25,
                     subject.lensHits,
                     1);
             Camera camera = scene.camera();
