@@ -88,7 +88,8 @@ final class ConnectionRoulette {
             double share = Math.max(1.0 / samples, LEAST_SHARE);
             double step = Math.abs(luminance - last);
             // Growth from nothing is by the mean luminance, bounded likewise.
-            mean += share * (Math.min(luminance, MOST * mean + (samples < WARM_UP ? luminance : 0)) - mean);
+            mean += share
+                    * (Math.min(luminance, MOST * mean + (samples < WARM_UP || mean == 0 ? luminance : 0)) - mean);
             difference += share * (Math.min(step, MOST * difference + mean) - difference);
             averageCost += share * (cost - averageCost);
         }

@@ -13,6 +13,7 @@ import org.daybreak.core.material.BsdfSample;
 import org.daybreak.core.material.Scattering;
 import org.daybreak.core.material.TransportMode;
 import org.daybreak.core.scene.RayCaster;
+import org.daybreak.core.scene.RayKind;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.tracing.EmissionGuide;
 
@@ -252,7 +253,8 @@ final class PlainPath {
     private static double cosineToFacet(SurfacePoint p, double[] of, double[] e, double[] l, double eta) {
         double[] m = {eta * e[0] + l[0], eta * e[1] + l[1], eta * e[2] + l[2]};
         double length = Math.sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
-        return length < 1e-10
+        // What goes straight on bends by no more than the tolerance of manifold walks.
+        return length < 1e-5
                 ? Math.abs(p.localZ(of[0], of[1], of[2]))
                 : Math.abs(of[0] * m[0] + of[1] * m[1] + of[2] * m[2]) / length;
     }
@@ -264,14 +266,10 @@ final class PlainPath {
     double bundleRatio(int vertex) {
         double step = 1e-6;
         double[] e = toEye(vertex);
-        double[] a = Math.abs(e[0]) < 0.7 ? new double[] {0, -e[2], e[1]} : new double[] {e[2], 0, -e[0]};
-        double length = Math.sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-        double[] s = {a[0] / length, a[1] / length, a[2] / length};
-        double[] t = cross(e, s);
+        double[] s = across(e);
         double[] ds = difference(vertex, e, s, step);
-        double[] dt = difference(vertex, e, t, step);
-        double[] area = cross(ds, dt);
-        return Math.sqrt(area[0] * area[0] + area[1] * area[1] + area[2] * area[2]);
+        double[] dt = difference(vertex, e, cross(e, s), step);
+        return length(cross(ds, dt));
     }
 
     private double[] difference(int vertex, double[] e, double[] along, double step) {
@@ -298,6 +296,105 @@ final class PlainPath {
                 TransportMode.RADIANCE,
                 lobe);
         return there ? new double[] {lobe.wiX, lobe.wiY, lobe.wiZ} : new double[] {Double.NaN, 0, 0};
+    }
+
+    /** Largest distance by which rays start above the ends of an edge between two vertices, relative to its length. */
+    double lift(int b, int c) {
+        double largest = 0;
+        for (int i = Math.min(b, c); i < Math.max(b, c); i++) {
+            largest = Math.max(largest, Math.max(points[i].offset, points[i + 1].offset) / Math.sqrt(squares[i]));
+        }
+        return largest;
+    }
+
+    /**
+     * Area that b moves over per area of the first vertex behind c, when c's direction changes and the chain of delta lobes between them
+     * is followed: by central differences.
+     *
+     * @param step of the direction, in radians; of lights at infinity relative to the length of the edge behind
+     * @return NaN if a ray leaves the surfaces
+     */
+    double endPerFirst(int c, int b, double step) {
+        int sign = b > c ? 1 : -1;
+        double[] d = b > c ? edges[c] : toLight(c);
+        double[] s = across(d);
+        double[] t = cross(d, s);
+        double[][] first = new double[2][];
+        double[][] end = new double[2][];
+        for (int i = 0; i < 2; i++) {
+            double[] ahead = followed(c, b, sign, d, i == 0 ? s : t, step);
+            double[] behind = followed(c, b, sign, d, i == 0 ? s : t, -step);
+            first[i] = new double[3];
+            end[i] = new double[3];
+            for (int j = 0; j < 3; j++) {
+                first[i][j] = ahead[j] - behind[j];
+                end[i][j] = ahead[3 + j] - behind[3 + j];
+            }
+        }
+        return length(cross(end[0], end[1])) / length(cross(first[0], first[1]));
+    }
+
+    /** The first vertex behind c and the last one, b, of a ray next to that of the path. */
+    private double[] followed(int c, int b, int sign, double[] d, double[] along, double step) {
+        double cosine = Math.cos(step);
+        double sine = Math.sin(step);
+        SurfacePoint here = new SurfacePoint();
+        RayCaster caster = new RayCaster(scene);
+        double[] ray = new double[3];
+        boolean met;
+        if (c == 0 && infinite) {
+            double far = 0.01 * Math.sqrt(squares[1]);
+            SurfacePoint p = points[1];
+            met = caster.trace(
+                    p.x - far * d[0] + far * step * along[0],
+                    p.y - far * d[1] + far * step * along[1],
+                    p.z - far * d[2] + far * step * along[2],
+                    d[0],
+                    d[1],
+                    d[2],
+                    RayKind.CAMERA,
+                    here);
+            System.arraycopy(d, 0, ray, 0, 3);
+        } else {
+            for (int i = 0; i < 3; i++) {
+                ray[i] = cosine * d[i] + sine * along[i];
+            }
+            met = c == k
+                    ? caster.trace(points[k].x, points[k].y, points[k].z, ray[0], ray[1], ray[2], RayKind.CAMERA, here)
+                    : caster.trace(points[c], ray[0], ray[1], ray[2], RayKind.SCATTERED, here);
+        }
+        double[] both = new double[6];
+        BsdfSample lobe = new BsdfSample();
+        for (int i = c + sign; met && here.shape == points[i].shape; i += sign) {
+            int at = i == c + sign ? 0 : 3;
+            both[at] = here.x;
+            both[at + 1] = here.y;
+            both[at + 2] = here.z;
+            if (i == b) {
+                return both;
+            }
+            TransportMode mode = sign > 0 ? TransportMode.IMPORTANCE : TransportMode.RADIANCE;
+            if (!Scattering.deltaLobe(bsdf(i), here, -ray[0], -ray[1], -ray[2], lobes[i], mode, lobe)) {
+                break;
+            }
+            ray[0] = lobe.wiX;
+            ray[1] = lobe.wiY;
+            ray[2] = lobe.wiZ;
+            met = caster.trace(here, ray[0], ray[1], ray[2], RayKind.SCATTERED, here);
+        }
+        both[0] = Double.NaN;
+        return both;
+    }
+
+    private static double length(double[] v) {
+        return Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+
+    /** A unit vector at right angles to another. */
+    private static double[] across(double[] e) {
+        double[] a = Math.abs(e[0]) < 0.7 ? new double[] {0, -e[2], e[1]} : new double[] {e[2], 0, -e[0]};
+        double length = length(a);
+        return new double[] {a[0] / length, a[1] / length, a[2] / length};
     }
 
     private static double[] cross(double[] a, double[] b) {

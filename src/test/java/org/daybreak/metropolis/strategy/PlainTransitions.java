@@ -17,6 +17,11 @@ import org.daybreak.core.material.TransportMode;
  * @param largest r₂ in pixels, alike
  */
 record PlainTransitions(double[] deleted, double[] added, int shortest, int longest, double smallest, double largest) {
+    /** Step of finite differences, in radians. */
+    private static final double STEP = 2e-6;
+
+    /** Finite differences of two steps that differ by more than this part do not tell: the chain is near a fold or the border of a triangle. */
+    private static final double AGREEMENT = 1e-4;
 
     // Which paths
 
@@ -43,8 +48,33 @@ record PlainTransitions(double[] deleted, double[] added, int shortest, int long
                 int last = lastOfChains(x);
                 yield last > 0 || !(x.deltaLight || x.infinite);
             }
+            case "manifold" -> {
+                boolean any = false;
+                for (int a = 0; a <= x.k; a++) {
+                    any |= hasTriple(x, a, -1) || hasTriple(x, a, 1);
+                }
+                yield any;
+            }
             default -> throw new IllegalArgumentException(strategy);
         };
+    }
+
+    /** The first vertex from one in a direction that is no delta: the light, the lens, or beyond if there is none. */
+    private static int nextPlain(PlainPath x, int from, int step) {
+        int i = from + step;
+        while (i > 0 && i < x.k && x.isDelta(i)) {
+            i += step;
+        }
+        return i;
+    }
+
+    /** Whether the manifold perturbation can begin at a vertex and has a chain of delta lobes to move. */
+    private static boolean hasTriple(PlainPath x, int a, int step) {
+        if (x.isDelta(a) || (a < x.k && x.camera.isParallel()) || (a == 0 && x.infinite)) {
+            return false;
+        }
+        int b = nextPlain(x, a, step);
+        return b > 0 && b < x.k && x.isDelta(b + step);
     }
 
     private static int lastOfChains(PlainPath x) {
@@ -247,6 +277,52 @@ record PlainTransitions(double[] deleted, double[] added, int shortest, int long
             density *= y.fromLightByLobe[i] * y.clear[i - 1] * y.opacity[i];
         }
         return density;
+    }
+
+    /**
+     * Density of the manifold perturbation (Jakob and Marschner 2012), which tilts the direction at a, follows delta lobes to b and moves
+     * the chain between b and c. NaN if finite differences do not tell,
+     * near folds and borders of triangles.
+     *
+     * @param kept the last vertex before the change
+     * @param end the first one behind
+     */
+    double manifold(PlainPath x, PlainPath y, boolean towardsLight, int kept, int end) {
+        int step = towardsLight ? -1 : 1;
+        int a = towardsLight ? end : kept;
+        int b = nextPlain(y, a, step);
+        int c = nextPlain(y, b, step);
+        double density;
+        if (a == y.k) {
+            density = lens(y, b);
+        } else {
+            int edge = towardsLight ? a - 1 : a;
+            double scale =
+                    length(x, Math.max(a, b), x.k) / length(x, Math.min(a, b), Math.max(a, b)) / pixelsPerRadian(x);
+            density = tilt(x.edges[edge], y.edges[edge], scale) * y.perVertex(a + step, edge);
+            density *= y.clear[edge] * y.opacity[a + step];
+            for (int i = a + 2 * step; i != b + step; i += step) {
+                double[] given = towardsLight ? y.fromEyeByLobe : y.fromLightByLobe;
+                density *= given[i] * y.clear[towardsLight ? i : i - 1] * y.opacity[i];
+            }
+        }
+        if (Math.abs(c - b) == 1) {
+            return density;
+        }
+        // Rays of c over the chain: the density of its vertices and b, over that of b alone.
+        for (int i = c - 2 * step; i != b - step; i -= step) {
+            density *= c > b ? y.fromEyeByLobe[i] : y.fromLightByLobe[i];
+        }
+        double fine = y.endPerFirst(c, b, STEP);
+        double coarse = y.endPerFirst(c, b, 16 * STEP);
+        return Math.abs(fine - coarse) < AGREEMENT * fine ? density * fine : Double.NaN;
+    }
+
+    /** Largest part of an edge of the chain that rays start above its ends: so wrong finite differences of them are. */
+    static double lift(PlainPath y, boolean towardsLight, int kept, int end) {
+        int step = towardsLight ? -1 : 1;
+        int b = nextPlain(y, towardsLight ? end : kept, step);
+        return y.lift(b, nextPlain(y, b, step));
     }
 
     private double multiChain(PlainPath x, PlainPath y) {

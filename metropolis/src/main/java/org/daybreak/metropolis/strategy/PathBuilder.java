@@ -41,8 +41,8 @@ public final class PathBuilder {
     /** So many vertices a walk may have whose length is not known beforehand. */
     private static final int LONGEST_WALK = 64;
 
-    /** Below this squared length η·wo + wi is rounding noise. */
-    private static final double SMALLEST_FACET = 1e-20;
+    /** Below this squared length η·wo + wi is what manifold walks leave of the angle of a lobe that goes straight on. */
+    private static final double SMALLEST_FACET = 1e-10;
 
     private final Scene scene;
     private final Camera camera;
