@@ -7,21 +7,17 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.daybreak.antialiasing.SobolSampling;
 import org.daybreak.convergence.BidirectionalScenes;
-import org.daybreak.convergence.CrossScenes;
 import org.daybreak.convergence.ShippedScenes;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.film.SplatBuffer;
 import org.daybreak.core.sampling.Sampler;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.scene.SceneCompiler;
-import org.daybreak.core.scene.SceneGraph;
 import org.daybreak.scenes.description.SceneException;
 import org.daybreak.tracing.EmissionGuide;
 import org.daybreak.tracing.RaySample;
@@ -60,13 +56,7 @@ class WeightsTest {
     }
 
     static List<String> otherScenes() {
-        return List.copyOf(others().keySet());
-    }
-
-    private static Map<String, SceneGraph> others() {
-        Map<String, SceneGraph> scenes = new LinkedHashMap<>(CrossScenes.all());
-        scenes.putAll(BidirectionalScenes.all());
-        return scenes;
+        return List.copyOf(BidirectionalScenes.withCrossScenes().keySet());
     }
 
     @ParameterizedTest
@@ -80,7 +70,7 @@ class WeightsTest {
     @ParameterizedTest
     @MethodSource("otherScenes")
     void weightsAddUpWithAllKindsOfThings(String name) {
-        check(name, SceneCompiler.compile(others().get(name)), PATHS_OF_OTHER_SCENES, 2);
+        check(name, SceneCompiler.compile(BidirectionalScenes.withCrossScenes().get(name)), PATHS_OF_OTHER_SCENES, 2);
     }
 
     @Tag("reference")
@@ -94,7 +84,11 @@ class WeightsTest {
     @ParameterizedTest
     @MethodSource("otherScenes")
     void weightsOfMorePathsAddUpWithAllKindsOfThings(String name) {
-        check(name, SceneCompiler.compile(others().get(name)), REFERENCE_FACTOR * PATHS_OF_OTHER_SCENES, 4);
+        check(
+                name,
+                SceneCompiler.compile(BidirectionalScenes.withCrossScenes().get(name)),
+                REFERENCE_FACTOR * PATHS_OF_OTHER_SCENES,
+                4);
     }
 
     private static Scene shipped(String name) throws SceneException {

@@ -1,11 +1,8 @@
 package org.daybreak.convergence;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -39,17 +36,11 @@ class BidirectionalAgreementTest {
     private static final int REFERENCE_FACTOR = 8;
     private static final List<String> EXPONENTS = List.of("2", "1", "0");
 
-    private static Map<String, SceneGraph> scenes() {
-        Map<String, SceneGraph> scenes = new LinkedHashMap<>(CrossScenes.all());
-        scenes.putAll(BidirectionalScenes.all());
-        return scenes;
-    }
-
     /** Each scene with the default exponent, every other one with one of the others, too. */
     static Stream<Arguments> scenesAndExponents() {
         List<Arguments> list = new ArrayList<>();
         int number = 0;
-        for (String name : scenes().keySet()) {
+        for (String name : BidirectionalScenes.withCrossScenes().keySet()) {
             list.add(Arguments.of(name, "2"));
             if (number % 2 == 0) {
                 list.add(Arguments.of(name, number % 4 == 0 ? "1" : "0"));
@@ -60,7 +51,7 @@ class BidirectionalAgreementTest {
     }
 
     static Stream<Arguments> scenesAndAllExponents() {
-        return scenes().keySet().stream()
+        return BidirectionalScenes.withCrossScenes().keySet().stream()
                 .flatMap(name -> EXPONENTS.stream().map(exponent -> Arguments.of(name, exponent)));
     }
 
@@ -78,12 +69,13 @@ class BidirectionalAgreementTest {
     }
 
     private static void checkAgainstPath(String name, String exponent, int factor, int tile, double detectable) {
-        Scene scene = SceneCompiler.compile(scenes().get(name));
+        Scene scene =
+                SceneCompiler.compile(BidirectionalScenes.withCrossScenes().get(name));
         Runs path = Runs.of(Rendering.renderer("path"), scene, 3000, RUNS, 6L * factor);
         Runs both = runs(scene, 6000, Map.of("heuristicExponent", exponent), 3L * factor);
         // Equal weights let the variance of the worst technique in.
         double found = (exponent.equals("0") || name.equals("within glass") ? 3 : 1) * detectable;
-        compare(name + ", β = " + exponent, path, both, tile, found);
+        path.assertAgreement(name + ", β = " + exponent, both, tile, found, SIGNIFICANCE);
     }
 
     /** Settings that must not change the mean, each against another one. */
@@ -135,12 +127,13 @@ class BidirectionalAgreementTest {
 
     private static void checkSettings(
             String name, String first, String second, int factor, int tile, double detectable) {
-        Scene scene = SceneCompiler.compile(scenes().get(name));
-        Runs runs1 = runs(scene, 7000, parse(first), 4L * factor);
-        Runs runs2 = runs(scene, 8000, parse(second), 4L * factor);
+        Scene scene =
+                SceneCompiler.compile(BidirectionalScenes.withCrossScenes().get(name));
+        Runs runs1 = runs(scene, 7000, Rendering.parameters(first), 4L * factor);
+        Runs runs2 = runs(scene, 8000, Rendering.parameters(second), 4L * factor);
         // Few light paths that start at the sky come to the lens.
         double found = (second.contains("maxEyeDepth=1") ? 3 : 1) * detectable;
-        compare(name + ", " + first + " and " + second, runs1, runs2, tile, found);
+        runs1.assertAgreement(name + ", " + first + " and " + second, runs2, tile, found, SIGNIFICANCE);
     }
 
     /** Light subpaths of the samples of a crop are as many as those, and find the pixels of the crop as often as others. */
@@ -168,29 +161,7 @@ class BidirectionalAgreementTest {
         ZTest.assertNoneRejected("crop", ZTest.tilesOfRuns(expected, actual), SIGNIFICANCE);
     }
 
-    private static Map<String, String> parse(String settings) {
-        Map<String, String> parameters = new HashMap<>();
-        for (String setting : settings.split(" ", -1)) {
-            int equals = setting.indexOf('=');
-            if (equals > 0) {
-                parameters.put(setting.substring(0, equals), setting.substring(equals + 1));
-            }
-        }
-        return parameters;
-    }
-
     private static Runs runs(Scene scene, long seed, Map<String, String> parameters, long samplesPerPixel) {
         return Runs.of(Rendering.renderer("bidirectional", parameters), scene, seed, RUNS, samplesPerPixel);
-    }
-
-    private static void compare(String name, Runs expected, Runs actual, int tile, double detectable) {
-        ZTest.assertNoneRejected(name, expected.pValues(actual, tile, 1), SIGNIFICANCE);
-        for (double wrong : new double[] {1 - detectable, 1 + detectable}) {
-            double[] pValues = expected.pValues(actual, tile, wrong);
-            assertThrows(
-                    AssertionError.class,
-                    () -> ZTest.assertNoneRejected(name, pValues, SIGNIFICANCE),
-                    () -> name + ": an image " + wrong + " times as bright is not found out");
-        }
     }
 }

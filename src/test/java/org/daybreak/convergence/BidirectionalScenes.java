@@ -63,6 +63,13 @@ public final class BidirectionalScenes {
         random = new SplittableRandom(seed);
     }
 
+    /** These and those of {@link CrossScenes} by name. */
+    public static Map<String, SceneGraph> withCrossScenes() {
+        Map<String, SceneGraph> scenes = new LinkedHashMap<>(CrossScenes.all());
+        scenes.putAll(all());
+        return scenes;
+    }
+
     /** All scenes by name. */
     public static Map<String, SceneGraph> all() {
         Map<String, SceneGraph> scenes = new LinkedHashMap<>();

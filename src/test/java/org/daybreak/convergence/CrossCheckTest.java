@@ -1,11 +1,8 @@
 package org.daybreak.convergence;
 
-import static org.junit.jupiter.api.Assertions.assertThrows;
-
 import java.util.Set;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.scene.SceneCompiler;
-import org.daybreak.core.testing.ZTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -54,13 +51,6 @@ class CrossCheckTest {
         int samples = factor * (DIFFICULT.contains(name) ? 4 : 1);
         Runs path = Runs.of(Rendering.renderer("path"), scene, 3000, RUNS, 4L * samples);
         Runs light = Runs.of(Rendering.renderer("light"), scene, 4000, RUNS, 8L * samples);
-        ZTest.assertNoneRejected(name, path.pValues(light, tile, 1), SIGNIFICANCE);
-        for (double wrong : new double[] {1 - detectable, 1 + detectable}) {
-            double[] pValues = path.pValues(light, tile, wrong);
-            assertThrows(
-                    AssertionError.class,
-                    () -> ZTest.assertNoneRejected(name, pValues, SIGNIFICANCE),
-                    () -> name + ": an image " + wrong + " times as bright is not found out");
-        }
+        path.assertAgreement(name, light, tile, detectable, SIGNIFICANCE);
     }
 }

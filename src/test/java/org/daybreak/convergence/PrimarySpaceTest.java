@@ -1,15 +1,6 @@
 package org.daybreak.convergence;
 
-import static org.junit.jupiter.api.Assertions.assertThrows;
-
-import java.util.HashMap;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.stream.Stream;
-import org.daybreak.core.scene.Scene;
-import org.daybreak.core.scene.SceneCompiler;
-import org.daybreak.core.scene.SceneGraph;
-import org.daybreak.core.testing.ZTest;
 import org.daybreak.scenes.description.SceneException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,31 +10,10 @@ import org.junit.jupiter.params.provider.MethodSource;
 /**
  * Chains over random numbers, whole samples ({@code pssmlt}) and single paths ({@code mmlt}), against bidirectional path tracing.
  *
- * <p>Welch's t-test of tile means over independent runs, each with a start of its own; all tiles, channels and the means of the image with a
- * false-alarm rate of 1e-4 per row by Šidák's correction. Seeds are fixed. That the tests can fail is shown on the same runs, one image
- * made brighter.
+ * <p>The t-tests of {@link ChainAgreement}, with a false-alarm rate of 1e-4 per row and fixed seeds.
  */
 class PrimarySpaceTest {
-    private static final double SIGNIFICANCE = 1e-4;
-    private static final int RUNS = 16;
     private static final String SHORT = "seedPaths=100 bootstrapSamples=4000 ";
-
-    private static SceneGraph graph(String name) throws SceneException {
-        Map<String, SceneGraph> scenes = new LinkedHashMap<>(CrossScenes.all());
-        scenes.putAll(BidirectionalScenes.all());
-        SceneGraph graph = scenes.get(name);
-        return graph != null ? graph : ShippedScenes.read(name + "/scene.xml").graph();
-    }
-
-    private static Scene scene(String name) throws SceneException {
-        SceneGraph graph = graph(name);
-        return switch (name) {
-            case "cornell_spheres" -> ShippedScenes.compile(graph, 24, 24);
-            case "door_ajar" -> ShippedScenes.compile(graph, 27, 15);
-            case "gold_ring", "veach_room" -> ShippedScenes.compile(graph, 24, 16);
-            default -> SceneCompiler.compile(graph);
-        };
-    }
 
     static Stream<Arguments> fewRows() {
         return Stream.of(
@@ -60,7 +30,7 @@ class PrimarySpaceTest {
     static Stream<Arguments> shippedScenes() {
         Stream.Builder<Arguments> rows = Stream.builder();
         for (String renderer : new String[] {"pssmlt", "mmlt"}) {
-            for (String scene : new String[] {"cornell_spheres", "gold_ring", "veach_room", "door_ajar"}) {
+            for (String scene : ChainAgreement.SHIPPED) {
                 rows.add(Arguments.of(scene, renderer, "", "", 200, 0.3));
                 rows.add(Arguments.of(scene, renderer, "separateDirect=false", "", 200, 0.3));
             }
@@ -114,8 +84,7 @@ class PrimarySpaceTest {
     void agreesWithBidirectional(
             String name, String renderer, String settings, String common, int mutations, double detectable)
             throws SceneException {
-        Scene scene = scene(name);
-        check(scene, name, renderer, SHORT + settings, common, mutations, 32, detectable);
+        ChainAgreement.check(name, renderer, SHORT + settings, common, mutations, 32, detectable);
     }
 
     @Tag("reference")
@@ -138,44 +107,7 @@ class PrimarySpaceTest {
     private static void agreesClosely(
             String name, String renderer, String settings, String common, int mutations, double detectable)
             throws SceneException {
-        Scene scene = scene(name);
         String start = "seedPaths=200 bootstrapSamples=10000 ";
-        check(scene, name, renderer, start + settings, common, mutations, 64, detectable);
-    }
-
-    private static void check(
-            Scene scene,
-            String name,
-            String renderer,
-            String settings,
-            String common,
-            int mutations,
-            int samplesPerPixel,
-            double detectable) {
-        Map<String, String> parameters = parse(settings + " " + common);
-        parameters.put("mutationsPerPixel", Integer.toString(mutations));
-        Runs chains = Runs.of(Rendering.renderer(renderer, parameters), scene, 5000, RUNS, mutations);
-        Runs samples = Runs.of(Rendering.renderer("bidirectional", parse(common)), scene, 6000, RUNS, samplesPerPixel);
-        String row = name + ", " + renderer + ", " + settings + " " + common;
-        int tile = Math.min(scene.film().width(), scene.film().height()) / 2;
-        ZTest.assertNoneRejected(row, samples.pValues(chains, tile, 1), SIGNIFICANCE);
-        for (double wrong : new double[] {1 - detectable, 1 + detectable}) {
-            double[] pValues = samples.pValues(chains, tile, wrong);
-            assertThrows(
-                    AssertionError.class,
-                    () -> ZTest.assertNoneRejected(row, pValues, SIGNIFICANCE),
-                    () -> row + ": an image " + wrong + " times as bright is not found out");
-        }
-    }
-
-    private static Map<String, String> parse(String settings) {
-        Map<String, String> parameters = new HashMap<>();
-        for (String setting : settings.split(" ", -1)) {
-            int equals = setting.indexOf('=');
-            if (equals > 0) {
-                parameters.put(setting.substring(0, equals), setting.substring(equals + 1));
-            }
-        }
-        return parameters;
+        ChainAgreement.check(name, renderer, start + settings, common, mutations, 64, detectable);
     }
 }

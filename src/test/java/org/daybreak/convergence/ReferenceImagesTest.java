@@ -17,6 +17,7 @@ import org.daybreak.scenes.SceneFile;
 import org.daybreak.scenes.description.SceneException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.aggregator.ArgumentsAccessor;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
@@ -51,6 +52,8 @@ class ReferenceImagesTest {
     private static final double UNSEEN_PATHS = 4;
 
     /**
+     * What is compared, and how well it must agree.
+     *
      * @param scene its name
      * @param block edge of a block in reference pixels
      * @param samplesPerPixel samples per pixel and run
@@ -59,6 +62,28 @@ class ReferenceImagesTest {
      * @param outliers largest part of the blocks that may be left out as single runs rule there
      * @param detectable relative error of the brightness of the image that must be found
      */
+    private record Row(
+            String scene,
+            int block,
+            int samplesPerPixel,
+            boolean rare,
+            double uncertain,
+            double outliers,
+            double detectable) {
+        /** The row in the last columns of a table. */
+        static Row of(ArgumentsAccessor columns) {
+            int first = columns.size() - 7;
+            return new Row(
+                    columns.getString(first),
+                    columns.getInteger(first + 1),
+                    columns.getInteger(first + 2),
+                    columns.getBoolean(first + 3),
+                    columns.getDouble(first + 4),
+                    columns.getDouble(first + 5),
+                    columns.getDouble(first + 6));
+        }
+    }
+
     @ParameterizedTest
     @CsvSource({
         "cornell_spheres, 20, 16, false, 0.01, 0.05, 0.02",
@@ -66,16 +91,8 @@ class ReferenceImagesTest {
         "veach_room, 25, 12, true, 0.03, 0.2, 0.05",
         "door_ajar, 25, 12, true, 0.35, 0.1, 0.05",
     })
-    void pathTracingAgreesAtSmallSize(
-            String scene,
-            int block,
-            int samplesPerPixel,
-            boolean rare,
-            double uncertain,
-            double outliers,
-            double detectable)
-            throws SceneException, ImageFileException {
-        check("path", Map.of(), scene, 5, block, samplesPerPixel, rare, uncertain, outliers, detectable);
+    void pathTracingAgreesAtSmallSize(ArgumentsAccessor row) throws SceneException, ImageFileException {
+        check("path", Map.of(), Row.of(row), 5);
     }
 
     /**
@@ -86,47 +103,29 @@ class ReferenceImagesTest {
      */
     @ParameterizedTest
     @CsvSource({
-        "cornell_spheres, 2, 20, 4, false, 0.01, 0.05, 0.02",
-        "gold_ring, 2, 20, 48, true, 0.01, 0.1, 0.05",
-        "door_ajar, 2, 25, 4, false, 0.35, 0.1, 0.05",
-        "cornell_spheres, 1, 20, 4, false, 0.01, 0.05, 0.02",
-        "veach_room, 0, 25, 4, true, 0.03, 0.2, 0.1",
+        "2, cornell_spheres, 20, 4, false, 0.01, 0.05, 0.02",
+        "2, gold_ring, 20, 48, true, 0.01, 0.1, 0.05",
+        "2, door_ajar, 25, 4, false, 0.35, 0.1, 0.05",
+        "1, cornell_spheres, 20, 4, false, 0.01, 0.05, 0.02",
+        "0, veach_room, 25, 4, true, 0.03, 0.2, 0.1",
     })
-    void bidirectionalPathTracingAgreesAtSmallSize(
-            String scene,
-            String exponent,
-            int block,
-            int samplesPerPixel,
-            boolean rare,
-            double uncertain,
-            double outliers,
-            double detectable)
+    void bidirectionalPathTracingAgreesAtSmallSize(String exponent, ArgumentsAccessor row)
             throws SceneException, ImageFileException {
-        Map<String, String> parameters = Map.of("heuristicExponent", exponent);
-        check("bidirectional", parameters, scene, 5, block, samplesPerPixel, rare, uncertain, outliers, detectable);
+        check("bidirectional", Map.of("heuristicExponent", exponent), Row.of(row), 5);
     }
 
     /** As above, at full size. */
     @Tag("reference")
     @ParameterizedTest
     @CsvSource({
-        "cornell_spheres, 2, 10, 4, false, 0.01, 0.05, 0.01",
-        "gold_ring, 2, 20, 16, true, 0.05, 0.1, 0.05",
-        "door_ajar, 2, 10, 4, false, 0.35, 0.1, 0.03",
-        "cornell_spheres, 0, 10, 4, false, 0.01, 0.05, 0.02",
+        "2, cornell_spheres, 10, 4, false, 0.01, 0.05, 0.01",
+        "2, gold_ring, 20, 16, true, 0.05, 0.1, 0.05",
+        "2, door_ajar, 10, 4, false, 0.35, 0.1, 0.03",
+        "0, cornell_spheres, 10, 4, false, 0.01, 0.05, 0.02",
     })
-    void bidirectionalPathTracingAgrees(
-            String scene,
-            String exponent,
-            int block,
-            int samplesPerPixel,
-            boolean rare,
-            double uncertain,
-            double outliers,
-            double detectable)
+    void bidirectionalPathTracingAgrees(String exponent, ArgumentsAccessor row)
             throws SceneException, ImageFileException {
-        Map<String, String> parameters = Map.of("heuristicExponent", exponent);
-        check("bidirectional", parameters, scene, 1, block, samplesPerPixel, rare, uncertain, outliers, detectable);
+        check("bidirectional", Map.of("heuristicExponent", exponent), Row.of(row), 1);
     }
 
     /** As above, at full size. */
@@ -138,132 +137,89 @@ class ReferenceImagesTest {
         "veach_room, 10, 16, true, 0.35, 0.2, 0.02",
         "door_ajar, 10, 16, true, 0.35, 0.2, 0.02",
     })
-    void pathTracingAgrees(
-            String scene,
-            int block,
-            int samplesPerPixel,
-            boolean rare,
-            double uncertain,
-            double outliers,
-            double detectable)
-            throws SceneException, ImageFileException {
-        check("path", Map.of(), scene, 1, block, samplesPerPixel, rare, uncertain, outliers, detectable);
+    void pathTracingAgrees(ArgumentsAccessor row) throws SceneException, ImageFileException {
+        check("path", Map.of(), Row.of(row), 1);
     }
 
-    /** Path tracing against bidirectional path tracing, whose tile means take the place of the reference. */
+    /** Path tracing against bidirectional path tracing, whose tile means take the place of the reference: each is a block. */
     @ParameterizedTest
     @CsvSource({
-        "cornell_spheres, 1, 10, 16, 4, 0.05, 0.03",
-        "gold_ring, 2, 10, 64, 4, 0.25, 0.1",
-        "veach_room, 0, 10, 16, 4, 0.2, 0.1",
-        "door_ajar, 1, 10, 16, 8, 0.2, 0.1",
+        "1, 10, 4, cornell_spheres, 1, 16, false, 0.2, 0.05, 0.03",
+        "2, 10, 4, gold_ring, 1, 64, true, 0.2, 0.25, 0.1",
+        "0, 10, 4, veach_room, 1, 16, true, 0.2, 0.2, 0.1",
+        "1, 10, 8, door_ajar, 1, 16, true, 0.2, 0.2, 0.1",
     })
     void pathTracingAgreesWithBidirectional(
-            String scene,
-            String exponent,
-            int shrink,
-            int samplesPerPixel,
-            int bidirectionalSamples,
-            double outliers,
-            double detectable)
+            String exponent, int shrink, int bidirectionalSamples, ArgumentsAccessor row)
             throws SceneException, ImageFileException {
-        checkWithBidirectional(scene, exponent, shrink, samplesPerPixel, bidirectionalSamples, outliers, detectable);
+        checkWithBidirectional(exponent, shrink, bidirectionalSamples, Row.of(row));
     }
 
     /** As above, with all exponents and more samples. */
     @Tag("reference")
     @ParameterizedTest
     @CsvSource({
-        "cornell_spheres, 0, 5, 32, 8, 0.05, 0.02",
-        "cornell_spheres, 1, 5, 32, 8, 0.05, 0.02",
-        "cornell_spheres, 2, 5, 32, 8, 0.05, 0.02",
-        "gold_ring, 0, 5, 64, 8, 0.25, 0.1",
-        "gold_ring, 1, 5, 64, 8, 0.25, 0.1",
-        "gold_ring, 2, 5, 64, 8, 0.25, 0.1",
-        "veach_room, 0, 5, 32, 8, 0.2, 0.1",
-        "veach_room, 1, 5, 32, 8, 0.2, 0.1",
-        "veach_room, 2, 5, 32, 8, 0.2, 0.1",
-        "door_ajar, 0, 5, 32, 8, 0.2, 0.1",
-        "door_ajar, 1, 5, 32, 8, 0.2, 0.1",
-        "door_ajar, 2, 5, 32, 8, 0.2, 0.1",
+        "0, 5, 8, cornell_spheres, 1, 32, false, 0.2, 0.05, 0.02",
+        "1, 5, 8, cornell_spheres, 1, 32, false, 0.2, 0.05, 0.02",
+        "2, 5, 8, cornell_spheres, 1, 32, false, 0.2, 0.05, 0.02",
+        "0, 5, 8, gold_ring, 1, 64, true, 0.2, 0.25, 0.1",
+        "1, 5, 8, gold_ring, 1, 64, true, 0.2, 0.25, 0.1",
+        "2, 5, 8, gold_ring, 1, 64, true, 0.2, 0.25, 0.1",
+        "0, 5, 8, veach_room, 1, 32, true, 0.2, 0.2, 0.1",
+        "1, 5, 8, veach_room, 1, 32, true, 0.2, 0.2, 0.1",
+        "2, 5, 8, veach_room, 1, 32, true, 0.2, 0.2, 0.1",
+        "0, 5, 8, door_ajar, 1, 32, true, 0.2, 0.2, 0.1",
+        "1, 5, 8, door_ajar, 1, 32, true, 0.2, 0.2, 0.1",
+        "2, 5, 8, door_ajar, 1, 32, true, 0.2, 0.2, 0.1",
     })
     void pathTracingAgreesCloselyWithBidirectional(
-            String scene,
-            String exponent,
-            int shrink,
-            int samplesPerPixel,
-            int bidirectionalSamples,
-            double outliers,
-            double detectable)
+            String exponent, int shrink, int bidirectionalSamples, ArgumentsAccessor row)
             throws SceneException, ImageFileException {
-        checkWithBidirectional(scene, exponent, shrink, samplesPerPixel, bidirectionalSamples, outliers, detectable);
+        checkWithBidirectional(exponent, shrink, bidirectionalSamples, Row.of(row));
     }
 
-    private static void checkWithBidirectional(
-            String name,
-            String exponent,
-            int shrink,
-            int samplesPerPixel,
-            int bidirectionalSamples,
-            double outliers,
-            double detectable)
+    private static void checkWithBidirectional(String exponent, int shrink, int bidirectionalSamples, Row row)
             throws SceneException, ImageFileException {
-        SceneFile file = ShippedScenes.read(name + "/scene.xml");
-        ReferenceImage size = ReferenceImage.of(name);
+        SceneFile file = ShippedScenes.read(row.scene + "/scene.xml");
+        ReferenceImage size = ReferenceImage.of(row.scene);
         Scene scene = ShippedScenes.compile(file.graph(), size.width() / shrink, size.height() / shrink);
         Map<String, String> parameters = new HashMap<>(file.request().parameters());
-        Runs path = Runs.of(Rendering.renderer("path", parameters), scene, 5500, RUNS, samplesPerPixel);
+        Runs path = Runs.of(Rendering.renderer("path", parameters), scene, 5500, RUNS, row.samplesPerPixel);
         parameters.put("heuristicExponent", exponent);
         Runs both = Runs.of(Rendering.renderer("bidirectional", parameters), scene, 6500, RUNS, bidirectionalSamples);
         int tile = 6;
-        boolean rare = !name.equals("cornell_spheres");
-        expectAgreement(name, path, tile, ReferenceImage.of(both, tile), 1, rare, 0.2, outliers, detectable);
+        expectAgreement(row, path, tile, ReferenceImage.of(both, tile));
     }
 
-    private static void check(
-            String rendererId,
-            Map<String, String> parameters,
-            String name,
-            int shrink,
-            int block,
-            int samplesPerPixel,
-            boolean rare,
-            double uncertain,
-            double outliers,
-            double detectable)
+    private static void check(String rendererId, Map<String, String> parameters, Row row, int shrink)
             throws SceneException, ImageFileException {
-        SceneFile file = ShippedScenes.read(name + "/scene.xml");
-        ReferenceImage reference = ReferenceImage.of(name);
-        assertEquals(0, reference.width() % shrink + reference.height() % shrink + block % shrink, "pixels are whole");
+        SceneFile file = ShippedScenes.read(row.scene + "/scene.xml");
+        ReferenceImage reference = ReferenceImage.of(row.scene);
+        assertEquals(
+                0, reference.width() % shrink + reference.height() % shrink + row.block % shrink, "pixels are whole");
         Scene scene = ShippedScenes.compile(file.graph(), reference.width() / shrink, reference.height() / shrink);
         Map<String, String> all = new HashMap<>(file.request().parameters());
         all.putAll(parameters);
         Renderer renderer = Rendering.renderer(rendererId, all);
-        Runs runs = Runs.of(renderer, scene, 5000, RUNS, samplesPerPixel);
-        expectAgreement(name, runs, block / shrink, reference, block, rare, uncertain, outliers, detectable);
+        Runs runs = Runs.of(renderer, scene, 5000, RUNS, row.samplesPerPixel);
+        expectAgreement(row, runs, row.block / shrink, reference);
     }
 
-    private static void expectAgreement(
-            String name,
-            Runs runs,
-            int tile,
-            ReferenceImage reference,
-            int block,
-            boolean rare,
-            double uncertain,
-            double outliers,
-            double detectable) {
-        Outcome right = compare(runs, tile, reference, block, rare, 1);
-        System.out.println(name + ": " + right);
+    private static void expectAgreement(Row row, Runs runs, int tile, ReferenceImage reference) {
+        Outcome right = compare(row, runs, tile, reference, 1);
+        System.out.println(row.scene + ": " + right);
         assertTrue(
-                right.uncertain <= uncertain * right.blocks, () -> name + ": too many blocks are left out: " + right);
-        assertTrue(right.outliers <= outliers * right.blocks, () -> name + ": too many blocks are left out: " + right);
-        assertTrue(right.agrees(), () -> name + ": " + right);
-        for (double factor : new double[] {1 - detectable, 1 + detectable}) {
+                right.uncertain <= row.uncertain * right.blocks,
+                () -> row.scene + ": too many blocks are left out: " + right);
+        assertTrue(
+                right.outliers <= row.outliers * right.blocks,
+                () -> row.scene + ": too many blocks are left out: " + right);
+        assertTrue(right.agrees(), () -> row.scene + ": " + right);
+        for (double factor : new double[] {1 - row.detectable, 1 + row.detectable}) {
             assertTrue(
-                    !compare(runs, tile, reference, block, rare, factor).agrees(),
+                    !compare(row, runs, tile, reference, factor).agrees(),
                     () -> String.format(
-                            Locale.ROOT, "%s: an image %.3f times as bright is not found out", name, factor));
+                            Locale.ROOT, "%s: an image %.3f times as bright is not found out", row.scene, factor));
         }
     }
 
@@ -289,10 +245,9 @@ class ReferenceImagesTest {
      * Compares the runs, made brighter by a factor, with the reference.
      *
      * @param tile edge in pixels of what is a block of the reference
-     * @param block edge of a block in pixels of the reference
      */
-    private static Outcome compare(
-            Runs runs, int tile, ReferenceImage reference, int block, boolean rare, double factor) {
+    private static Outcome compare(Row row, Runs runs, int tile, ReferenceImage reference, double factor) {
+        int block = row.block;
         int columns = Grids.tiles(reference.width(), block);
         int perChannel = columns * Grids.tiles(reference.height(), block);
         double level = Significance.sidak(SIGNIFICANCE, Runs.CHANNELS.size() * perChannel);
@@ -313,7 +268,7 @@ class ReferenceImagesTest {
                 variance[i] = Runs.moments(blocks, i).varianceOfMean();
                 expectedVariance[i] *= reference.varianceOfMean(block * block);
             }
-            double unseen = !rare ? 0 : UNSEEN_PATHS * square(largestJump(blocks));
+            double unseen = !row.rare ? 0 : UNSEEN_PATHS * square(largestJump(blocks));
             double[] around = ReferenceImage.boxMean(variance, columns, 3);
             double[] imageMeans = Arrays.stream(blocks)
                     .mapToDouble(run -> Arrays.stream(run).average().orElseThrow())

@@ -50,6 +50,22 @@ final class Rendering {
         return renderer(id, Map.of());
     }
 
+    /**
+     * Parameters from one text.
+     *
+     * @param settings as {@code name=value} with spaces between them
+     */
+    static Map<String, String> parameters(String settings) {
+        Map<String, String> parameters = new HashMap<>();
+        for (String setting : settings.split(" ", -1)) {
+            int equals = setting.indexOf('=');
+            if (equals > 0) {
+                parameters.put(setting.substring(0, equals), setting.substring(equals + 1));
+            }
+        }
+        return parameters;
+    }
+
     /** The image of a scene's own camera, with Sobol' points and all processors. */
     static FilmImage render(Renderer renderer, Scene scene, long seed, long samplesPerPixel) {
         Film film = new Film(scene.film());

@@ -1,5 +1,7 @@
 package org.daybreak.convergence;
 
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -130,6 +132,24 @@ final class Runs {
             }
         }
         return parts.stream().flatMapToDouble(Arrays::stream).toArray();
+    }
+
+    /**
+     * Fails if other runs have other means, by the t-tests above, or if the tests would pass them by were they brighter or darker.
+     *
+     * @param what what is compared, for messages
+     * @param detectable relative error of the brightness that must be found
+     * @param significance the false-alarm rate
+     */
+    void assertAgreement(String what, Runs other, int tile, double detectable, double significance) {
+        ZTest.assertNoneRejected(what, pValues(other, tile, 1), significance);
+        for (double wrong : new double[] {1 - detectable, 1 + detectable}) {
+            double[] pValues = pValues(other, tile, wrong);
+            assertThrows(
+                    AssertionError.class,
+                    () -> ZTest.assertNoneRejected(what, pValues, significance),
+                    () -> what + ": an image " + wrong + " times as bright is not found out");
+        }
     }
 
     static double[] toDoubles(float[] values) {

@@ -213,6 +213,17 @@ public record BidirectionalSettings(
 
     /** Settings from parameter values. */
     static BidirectionalSettings of(ParameterValues values) {
+        return of(
+                values,
+                values.integer("splitting"),
+                values.choice("lightsPerPath").equals("all"),
+                values.real("causticMapShare"),
+                values.flag("lensHits"));
+    }
+
+    /** Settings from the parameters that single samples have as well, and values of the others. */
+    private static BidirectionalSettings of(
+            ParameterValues values, int splitting, boolean allLights, double causticMapShare, boolean lensHits) {
         return new BidirectionalSettings(
                 values.integer("maxEyeDepth"),
                 values.integer("maxLightDepth"),
@@ -224,11 +235,11 @@ public record BidirectionalSettings(
                     default -> Roulette.EFFICIENCY;
                 },
                 values.integer("rrDepth"),
-                values.integer("splitting"),
-                values.choice("lightsPerPath").equals("all"),
+                splitting,
+                allLights,
                 values.flag("causticMap"),
-                values.real("causticMapShare"),
-                values.flag("lensHits"),
+                causticMapShare,
+                lensHits,
                 1);
     }
 
@@ -243,33 +254,12 @@ public record BidirectionalSettings(
      * @param values with {@link #SINGLE_SAMPLE_PARAMETERS} among them
      */
     public static BidirectionalSettings ofSingleSamples(ParameterValues values) {
-        return new BidirectionalSettings(
-                values.integer("maxEyeDepth"),
-                values.integer("maxLightDepth"),
-                values.integer("maxDepth"),
-                values.real("heuristicExponent"),
-                values.choice("russianRoulette").equals("none") ? Roulette.NONE : Roulette.THROUGHPUT,
-                values.integer("rrDepth"),
-                1,
-                false,
-                values.flag("causticMap"));
+        return of(values, 1, false, 1, false);
     }
 
     /** The same settings for paths of so many edges or more. */
     public BidirectionalSettings withMinDepth(int edges) {
-        return new BidirectionalSettings(
-                maxEyeDepth,
-                maxLightDepth,
-                maxDepth,
-                heuristicExponent,
-                roulette,
-                rrDepth,
-                splitting,
-                allLights,
-                causticMap,
-                causticMapShare,
-                lensHits,
-                edges);
+        return with(roulette, splitting, allLights, causticMapShare, lensHits, edges);
     }
 
     /**
@@ -278,19 +268,25 @@ public record BidirectionalSettings(
      * pixels have no samples of their own.
      */
     public BidirectionalSettings singleSample() {
+        return with(roulette == Roulette.NONE ? Roulette.NONE : Roulette.THROUGHPUT, 1, false, 1, false, minDepth);
+    }
+
+    /** The same depths and heuristic with other values of the rest. */
+    private BidirectionalSettings with(
+            Roulette kind, int ways, boolean everyLight, double share, boolean hits, int edges) {
         return new BidirectionalSettings(
                 maxEyeDepth,
                 maxLightDepth,
                 maxDepth,
                 heuristicExponent,
-                roulette == Roulette.NONE ? Roulette.NONE : Roulette.THROUGHPUT,
+                kind,
                 rrDepth,
-                1,
-                false,
+                ways,
+                everyLight,
                 causticMap,
-                1,
-                false,
-                minDepth);
+                share,
+                hits,
+                edges);
     }
 
     /** In how many ways an eye subpath goes on from the first vertex that can be connected. */

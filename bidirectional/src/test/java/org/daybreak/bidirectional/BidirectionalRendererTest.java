@@ -4,8 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.daybreak.antialiasing.SobolSampling;
@@ -15,6 +13,7 @@ import org.daybreak.core.render.ParameterException;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.sampling.Sampler;
 import org.daybreak.core.scene.Scene;
+import org.daybreak.core.testing.Allocation;
 import org.daybreak.tracing.RaySample;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -99,10 +98,8 @@ class BidirectionalRendererTest {
                 true,
                 parse(Map.of("lightsPerPath", lights, "splitting", splitting, "lensHits", lensHits)),
                 null);
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         int samples = 24 * 18 * 16;
-        for (int round = 0; ; round++) {
-            long before = threads.getCurrentThreadAllocatedBytes();
+        Allocation.assertNone("sample", samples, 40, () -> {
             for (int i = 0; i < samples; i++) {
                 int pixel = i / 16;
                 int row = pixel / 24;
@@ -112,12 +109,6 @@ class BidirectionalRendererTest {
                 splats.clear();
                 processor.trace(x, y, sampler, sample, splats);
             }
-            double perSample = (threads.getCurrentThreadAllocatedBytes() - before) / (double) samples;
-            if (perSample < 1) {
-                return;
-            }
-            // Until the code is compiled, escape analysis has not removed what it will.
-            assertTrue(round < 40, perSample + " bytes per sample");
-        }
+        });
     }
 }

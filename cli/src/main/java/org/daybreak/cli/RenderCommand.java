@@ -14,13 +14,11 @@ import org.daybreak.cli.partial.RenderIdentity;
 import org.daybreak.core.accel.Intersectors;
 import org.daybreak.core.film.FilmLayer;
 import org.daybreak.core.film.FilmSettings;
-import org.daybreak.core.render.AntialiasingFactory;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.render.RenderBudget;
 import org.daybreak.core.render.RenderPart;
 import org.daybreak.core.render.RendererFactory;
 import org.daybreak.core.scene.Scene;
-import org.daybreak.core.scene.SceneCompiler;
 import org.daybreak.scenes.SceneFile;
 import org.daybreak.scenes.build.RenderSettingsRequest;
 import org.jspecify.annotations.Nullable;
@@ -64,14 +62,11 @@ final class RenderCommand implements Callable<Integer> {
                     + " Default: <name>.exr and <name>.png in the working directory.")
     private List<Path> outputs = new ArrayList<>();
 
-    @Option(names = "--renderer", paramLabel = "ID", description = "Renderer; default: the scene's, else path.")
-    private @Nullable String renderer;
+    @Mixin
+    private SampleOptions options = new SampleOptions();
 
-    @Option(names = "-P", paramLabel = "NAME=VALUE", description = "Parameter of the renderer; may be repeated.")
-    private Map<String, String> parameters = new LinkedHashMap<>();
-
-    @Option(names = "-D", paramLabel = "NAME=VALUE", description = "Value for $NAME in the scene; may be repeated.")
-    private Map<String, String> defines = new LinkedHashMap<>();
+    @Option(names = "--crop", paramLabel = "X,Y,W,H", description = "Renders this part of the image only.")
+    private @Nullable String crop;
 
     @Option(
             names = "--spp",
@@ -107,27 +102,12 @@ final class RenderCommand implements Callable<Integer> {
             description = "Threads; default: all processors. Same image for any N.")
     private @Nullable Integer threads;
 
-    @Option(names = "--size", paramLabel = "WxH", description = "Size of the image; keeps the field of view.")
-    private @Nullable String size;
-
-    @Option(names = "--crop", paramLabel = "X,Y,W,H", description = "Renders this part of the image only.")
-    private @Nullable String crop;
-
-    @Option(names = "--antialiasing", paramLabel = "ID", description = "Antialiasing method; default: sobol.")
-    private String antialiasing = RenderPlan.DEFAULT_ANTIALIASING;
-
-    @Option(names = "-A", paramLabel = "NAME=VALUE", description = "Parameter of the antialiasing; may be repeated.")
-    private Map<String, String> antialiasingParameters = new LinkedHashMap<>();
-
     @Option(
             names = "--layers",
             paramLabel = "LAYER",
             split = ",",
             description = "Further images in the EXR file: albedo, normal, depth, variance.")
     private List<String> layers = new ArrayList<>();
-
-    @Option(names = "--intersector", paramLabel = "ID", description = "Intersector; default: the fastest here.")
-    private @Nullable String intersector;
 
     @Option(names = "--progress", paramLabel = "MODE", description = "Progress on stderr: auto, plain, json or none.")
     private String progress = "auto";
@@ -149,35 +129,29 @@ final class RenderCommand implements Callable<Integer> {
         states.check();
         List<OutputFile> files = outputFiles();
         ProgressMode mode = ProgressMode.of(progress);
-        String wanted = intersector;
-        if (wanted == null) {
+        options.checkIntersector();
+        if (!options.namesIntersector()) {
             Intersectors.warmUp();
-        } else {
-            Services.checkIntersector(wanted);
         }
         // Whatever can be wrong about the command line alone is found before the scene is read.
-        AntialiasingFactory method = Services.antialiasing(antialiasing);
-        ParameterValues methodValues = ParameterValues.parse(method.parameters(), antialiasingParameters, method.id());
+        SampleOptions.AntialiasingChoice antialiasing = options.antialiasing();
         Set<FilmLayer> filmLayers = filmLayers(files);
         int threadCount = threads();
         RenderBudget given = budget(RenderPlan.DEFAULT_SAMPLES);
         if (given.targetError() > 0 && states.hasPart()) {
             throw new CommandException(ExitCode.USAGE, "--target-error cannot be used with --part");
         }
-        if (renderer != null) {
-            RendererFactory factory = Services.renderer(renderer);
-            ParameterValues values = ParameterValues.parse(factory.parameters(), parameters, renderer);
-            SheetFolder.check(SheetFolder.of(factory, values), outputPaths(files));
-        }
+        options.namedRenderer()
+                .ifPresent(named ->
+                        SheetFolder.check(SheetFolder.of(named.factory(), named.values()), outputPaths(files)));
 
-        SceneFile file = Scenes.load(scene, defines, session);
+        SceneFile file = Scenes.load(scene, options.defines(), session);
         RenderSettingsRequest request = file.request();
-        FilmSettings film = RendererChoice.film(scene, file, size, crop);
-        file.graph().setFilm(film);
+        FilmSettings film = options.setFilm(scene, file, crop);
         RenderBudget budget = request.samplesPerPixel().isPresent()
                 ? budget(request.samplesPerPixel().getAsInt())
                 : given;
-        RendererChoice choice = RendererChoice.of(renderer, parameters, scene, request, samplesAskedFor(request));
+        RendererChoice choice = options.renderer(scene, request, samplesAskedFor(request));
         RendererFactory factory = choice.factory();
         ParameterValues values = choice.values();
         List<SheetFolder> folders = SheetFolder.of(factory, values);
@@ -187,15 +161,17 @@ final class RenderCommand implements Callable<Integer> {
         Map<String, String> identity = identity(file, needState(files), film, filmLayers, budget);
         identity.put(RenderIdentity.RENDERER, factory.id());
         identity.put(RenderIdentity.PARAMETERS, JsonText.line(choice.imageParameters()));
-        identity.put(RenderIdentity.ANTIALIASING, method.id());
-        identity.put(RenderIdentity.ANTIALIASING_PARAMETERS, JsonText.line(methodValues.asMap()));
+        identity.put(RenderIdentity.ANTIALIASING, antialiasing.factory().id());
+        identity.put(
+                RenderIdentity.ANTIALIASING_PARAMETERS,
+                JsonText.line(antialiasing.values().asMap()));
         identity.put(RenderIdentity.SEED, Long.toString(actualSeed));
         RenderPlan plan = new RenderPlan(
                 scene,
                 factory,
                 values,
-                method.create(methodValues),
-                methodValues,
+                antialiasing.create(),
+                antialiasing.values(),
                 film,
                 filmLayers,
                 budget,
@@ -206,7 +182,7 @@ final class RenderCommand implements Callable<Integer> {
                 identity,
                 states.choose(identity));
         times.begin("compile");
-        Scene compiled = Scenes.compile(scene, file, new SceneCompiler.Options(threadCount, intersector));
+        Scene compiled = Scenes.compile(scene, file, options.compilation(threadCount));
         RenderJob job = new RenderJob(plan, mode, statistics, session, times);
         return job.run(compiled, file.warnings()).number();
     }
@@ -238,7 +214,7 @@ final class RenderCommand implements Callable<Integer> {
         Map<String, String> identity = new LinkedHashMap<>();
         identity.put(RenderIdentity.SOFTWARE, Version.software());
         if (withScene) {
-            identity.put(RenderIdentity.SCENE, Scenes.digest(file, scene, defines));
+            identity.put(RenderIdentity.SCENE, Scenes.digest(file, scene, options.defines()));
         }
         identity.put(RenderIdentity.SAMPLES_PER_PIXEL, Long.toString(budget.samplesPerPixel()));
         identity.put(RenderIdentity.TARGET_ERROR, Double.toString(budget.targetError()));
@@ -326,10 +302,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private RenderBudget budget(int samplesOtherwise) {
-        if (samplesPerPixel != null && (samplesPerPixel < 1 || samplesPerPixel > Integer.MAX_VALUE)) {
-            throw new CommandException(
-                    ExitCode.USAGE, "--spp is " + samplesPerPixel + " but must be from 1 to " + Integer.MAX_VALUE);
-        }
+        SampleOptions.checkSamplesPerPixel(samplesPerPixel);
         if (seconds != null && !(seconds > 0)) {
             throw new CommandException(ExitCode.USAGE, "--time is " + seconds + " but must be greater than 0 seconds");
         }

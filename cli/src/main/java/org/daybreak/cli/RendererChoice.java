@@ -4,12 +4,10 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalLong;
-import org.daybreak.core.film.FilmSettings;
 import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterException;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.render.RendererFactory;
-import org.daybreak.scenes.SceneFile;
 import org.daybreak.scenes.build.RenderSettingsRequest;
 import org.jspecify.annotations.Nullable;
 
@@ -67,14 +65,5 @@ record RendererChoice(RendererFactory factory, ParameterValues values) {
             }
         }
         return map;
-    }
-
-    /** The film of a scene, with the size and crop of the command line; {@link ExitCode#INPUT} if it has no camera. */
-    static FilmSettings film(Path scene, SceneFile file, @Nullable String size, @Nullable String crop) {
-        FilmSettings own = file.graph().film();
-        if (own == null || file.graph().camera() == null) {
-            throw new CommandException(ExitCode.INPUT, scene + ": the scene has no camera (<sensor>)");
-        }
-        return FilmOptions.apply(own, size, crop);
     }
 }

@@ -1,24 +1,20 @@
 package org.daybreak.cli;
 
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import org.daybreak.core.film.FilmSettings;
 import org.daybreak.core.render.Antialiasing;
-import org.daybreak.core.render.AntialiasingFactory;
 import org.daybreak.core.render.ParameterException;
-import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.render.SampleAddress;
 import org.daybreak.core.render.SampleRecord;
 import org.daybreak.core.render.SampleRequest;
 import org.daybreak.core.scene.Scene;
-import org.daybreak.core.scene.SceneCompiler;
 import org.daybreak.scenes.SceneFile;
 import org.daybreak.scenes.build.RenderSettingsRequest;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -55,14 +51,8 @@ final class ReplayCommand implements Callable<Integer> {
             description = "Seed, pixel and sample as a report names them, in place of the options for each.")
     private @Nullable String address;
 
-    @Option(names = "--renderer", paramLabel = "ID", description = "Renderer; default: the scene's, else path.")
-    private @Nullable String renderer;
-
-    @Option(names = "-P", paramLabel = "NAME=VALUE", description = "Parameter of the renderer; may be repeated.")
-    private Map<String, String> parameters = new LinkedHashMap<>();
-
-    @Option(names = "-D", paramLabel = "NAME=VALUE", description = "Value for $NAME in the scene; may be repeated.")
-    private Map<String, String> defines = new LinkedHashMap<>();
+    @Mixin
+    private SampleOptions options = new SampleOptions();
 
     @Option(
             names = "--spp",
@@ -72,18 +62,6 @@ final class ReplayCommand implements Callable<Integer> {
 
     @Option(names = "--seed", paramLabel = "N", description = "Seed of the render; default: the scene's, else 0.")
     private @Nullable Long seed;
-
-    @Option(names = "--size", paramLabel = "WxH", description = "Size of the image; keeps the field of view.")
-    private @Nullable String size;
-
-    @Option(names = "--antialiasing", paramLabel = "ID", description = "Antialiasing method; default: sobol.")
-    private String antialiasing = RenderPlan.DEFAULT_ANTIALIASING;
-
-    @Option(names = "-A", paramLabel = "NAME=VALUE", description = "Parameter of the antialiasing; may be repeated.")
-    private Map<String, String> antialiasingParameters = new LinkedHashMap<>();
-
-    @Option(names = "--intersector", paramLabel = "ID", description = "Intersector; default: the fastest here.")
-    private @Nullable String intersector;
 
     @Option(names = "--json", description = "Prints JSON.")
     private boolean json;
@@ -95,30 +73,21 @@ final class ReplayCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         checkAddress();
-        if (samplesPerPixel != null && (samplesPerPixel < 1 || samplesPerPixel > Integer.MAX_VALUE)) {
-            throw new CommandException(
-                    ExitCode.USAGE, "--spp is " + samplesPerPixel + " but must be from 1 to " + Integer.MAX_VALUE);
-        }
-        if (intersector != null) {
-            Services.checkIntersector(intersector);
-        }
-        AntialiasingFactory factory = Services.antialiasing(antialiasing);
-        Antialiasing method =
-                factory.create(ParameterValues.parse(factory.parameters(), antialiasingParameters, factory.id()));
-        if (renderer != null) {
-            ParameterValues.parse(Services.renderer(renderer).parameters(), parameters, renderer);
-        }
-        SceneFile file = Scenes.load(scene, defines, session);
+        SampleOptions.checkSamplesPerPixel(samplesPerPixel);
+        options.checkIntersector();
+        // Whatever can be wrong about the command line alone is found before the scene is read.
+        Antialiasing method = options.antialiasing().create();
+        options.namedRenderer();
+        SceneFile file = Scenes.load(scene, options.defines(), session);
         RenderSettingsRequest request = file.request();
-        FilmSettings film = RendererChoice.film(scene, file, size, null);
-        file.graph().setFilm(film);
+        FilmSettings film = options.setFilm(scene, file, null);
         long samples = samplesPerPixel != null
                 ? samplesPerPixel
                 : request.samplesPerPixel().orElse(RenderPlan.DEFAULT_SAMPLES);
-        RendererChoice choice = RendererChoice.of(renderer, parameters, scene, request, OptionalLong.of(samples));
+        RendererChoice choice = options.renderer(scene, request, OptionalLong.of(samples));
         SampleRequest wanted = new SampleRequest(address(request), film, method, method.samplesPerPixel(samples));
         Scene compiled = Scenes.compile(
-                scene, file, new SceneCompiler.Options(Runtime.getRuntime().availableProcessors(), intersector));
+                scene, file, options.compilation(Runtime.getRuntime().availableProcessors()));
         SampleRecord record = choice.factory()
                 .create(choice.values())
                 .replay(compiled, compiled.camera(), wanted)

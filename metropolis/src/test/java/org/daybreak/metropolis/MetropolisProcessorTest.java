@@ -4,8 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
@@ -13,6 +11,7 @@ import org.daybreak.core.film.SplatBuffer;
 import org.daybreak.core.render.ParameterException;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.scene.Scene;
+import org.daybreak.core.testing.Allocation;
 import org.daybreak.metropolis.chains.Chain;
 import org.daybreak.metropolis.chains.ChainStatistics;
 import org.daybreak.metropolis.chains.ChainWorker;
@@ -63,19 +62,11 @@ class MetropolisProcessorTest {
         Chain chain = start(worker);
         SplatBuffer splats = new SplatBuffer();
         ChainStatistics statistics = new ChainStatistics(MOVES);
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         int steps = 4000;
-        for (int round = 0; ; round++) {
+        Allocation.assertNone("mutation", steps, 60, () -> {
             splats.clear();
-            long before = threads.getCurrentThreadAllocatedBytes();
             worker.advance(chain, steps, splats, statistics);
-            double perStep = (threads.getCurrentThreadAllocatedBytes() - before) / (double) steps;
-            if (perStep < 1) {
-                return;
-            }
-            // Until the code is compiled, escape analysis has not removed what it will.
-            assertTrue(round < 60, perStep + " bytes per mutation");
-        }
+        });
     }
 
     /** What is saved of a chain is all that its future depends on. */

@@ -3,14 +3,11 @@ package org.daybreak.metropolis.strategy;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import org.daybreak.bidirectional.BiDirectionalProcessor;
 import org.daybreak.bidirectional.BidirectionalSettings;
 import org.daybreak.bidirectional.Contribution;
 import org.daybreak.convergence.BidirectionalScenes;
-import org.daybreak.convergence.CrossScenes;
 import org.daybreak.convergence.ShippedScenes;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.film.SplatBuffer;
@@ -19,7 +16,6 @@ import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.StreamDomain;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.scene.SceneCompiler;
-import org.daybreak.core.scene.SceneGraph;
 import org.daybreak.metropolis.MetropolisPathMutator;
 import org.daybreak.metropolis.chains.ImageImportance;
 import org.daybreak.scenes.description.SceneException;
@@ -100,9 +96,7 @@ class TransitionTest {
         if (SHIPPED.contains(name)) {
             return ShippedScenes.compile(ShippedScenes.read(name + "/scene.xml").graph(), SIZE, SIZE);
         }
-        Map<String, SceneGraph> scenes = new LinkedHashMap<>(CrossScenes.all());
-        scenes.putAll(BidirectionalScenes.all());
-        return SceneCompiler.compile(scenes.get(name));
+        return SceneCompiler.compile(BidirectionalScenes.withCrossScenes().get(name));
     }
 
     @ParameterizedTest

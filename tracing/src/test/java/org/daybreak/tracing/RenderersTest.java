@@ -7,8 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
@@ -31,6 +29,7 @@ import org.daybreak.core.render.RenderReport;
 import org.daybreak.core.render.Renderer;
 import org.daybreak.core.sampling.Sampler;
 import org.daybreak.core.scene.Scene;
+import org.daybreak.core.testing.Allocation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -310,11 +309,9 @@ final class RenderersTest {
             new ClassicRayTracer(scene, scene.camera(), true, new ClassicRayTracerSettings(10))
         };
         LightTracer light = new LightTracer(scene, scene.camera(), 1, new LightTracerSettings(-1, 5));
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        for (int round = 0; ; round++) {
-            long before = threads.getCurrentThreadAllocatedBytes();
-            int paths = 0;
-            for (int i = 0; i < 40 * 30 * 8; i++) {
+        int lightPaths = 40 * 30 * 8;
+        Allocation.assertNone("path", lightPaths * (processors.length + 1), 40, () -> {
+            for (int i = 0; i < lightPaths; i++) {
                 for (RayProcessor processor : processors) {
                     sampler.start(i / 8, i % 8);
                     int column = i / 8 % 40;
@@ -323,17 +320,9 @@ final class RenderersTest {
                     double y = row + sampler.next();
                     splats.clear();
                     processor.trace(x, y, sampler, sample, splats);
-                    paths++;
                 }
                 light.trace(i, splats);
-                paths++;
             }
-            double perPath = (threads.getCurrentThreadAllocatedBytes() - before) / (double) paths;
-            if (perPath < 1) {
-                return;
-            }
-            // Until the code is compiled, escape analysis has not removed what it will.
-            assertTrue(round < 40, perPath + " bytes per path");
-        }
+        });
     }
 }

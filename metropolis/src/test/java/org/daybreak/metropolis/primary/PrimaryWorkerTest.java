@@ -3,8 +3,6 @@ package org.daybreak.metropolis.primary;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -23,6 +21,7 @@ import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.StreamDomain;
 import org.daybreak.core.scene.RayKind;
 import org.daybreak.core.scene.Scene;
+import org.daybreak.core.testing.Allocation;
 import org.daybreak.metropolis.chains.Chain;
 import org.daybreak.metropolis.chains.ChainStatistics;
 import org.daybreak.metropolis.chains.ChainWorker;
@@ -243,19 +242,11 @@ class PrimaryWorkerTest {
         Chain chain = start(worker, 0);
         SplatBuffer splats = new SplatBuffer();
         ChainStatistics statistics = new ChainStatistics(2);
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         int steps = 4000;
-        for (int round = 0; ; round++) {
+        Allocation.assertNone("step", steps, 40, () -> {
             splats.clear();
-            long before = threads.getCurrentThreadAllocatedBytes();
             worker.advance(chain, steps, splats, statistics);
-            double perStep = (threads.getCurrentThreadAllocatedBytes() - before) / (double) steps;
-            if (perStep < 1) {
-                return;
-            }
-            // Until the code is compiled, escape analysis has not removed what it will.
-            assertTrue(round < 40, perStep + " bytes per step");
-        }
+        });
     }
 
     /** What is infinite or not a number is counted and never becomes a state. */
