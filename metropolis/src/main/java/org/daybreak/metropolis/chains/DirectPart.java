@@ -1,8 +1,11 @@
 package org.daybreak.metropolis.chains;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.film.Film;
+import org.daybreak.core.film.FilmLayer;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.core.render.Progress;
 import org.daybreak.core.render.RenderBudget;
@@ -48,7 +51,7 @@ final class DirectPart {
     }
 
     /** True if there shall be such a part, but path tracing would find other paths than those that the limits of depth allow. */
-    boolean isImpossible() {
+    private boolean isImpossible() {
         return settings.separateDirect() && maxEyeDepth >= 0 && maxEyeDepth < EYE_VERTICES;
     }
 
@@ -60,6 +63,20 @@ final class DirectPart {
     /** Smallest number of edges of the paths that are left for the chains. */
     int shortestOfChains() {
         return exists() ? EDGES + 1 : 1;
+    }
+
+    /** What the user should know if it is not rendered. */
+    List<String> warnings(Film film) {
+        List<String> warnings = new ArrayList<>();
+        if (isImpossible()) {
+            warnings.add("with maxEyeDepth below 3 path tracing finds other paths than the chains: direct lighting is"
+                    + " not rendered apart");
+        }
+        if (!exists() && film.layers().stream().anyMatch(layer -> layer != FilmLayer.VARIANCE)) {
+            warnings.add("without direct lighting apart no image samples are taken: the albedo, normal and depth images"
+                    + " stay empty");
+        }
+        return warnings;
     }
 
     /** What part of all work it is. */

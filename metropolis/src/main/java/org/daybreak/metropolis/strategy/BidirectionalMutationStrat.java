@@ -211,16 +211,18 @@ public final class BidirectionalMutationStrat extends MutationStrategy {
     private static double way(LightPath y, int kept, int end, int fromLight, PathBuilder builder) {
         int joined = kept + fromLight;
         if (joined < 0) {
-            return y.deltaLight ? 0 : PathBuilder.walkFromEye(y, end, 0) / builder.landings(y);
+            return y.deltaLight
+                    ? 0
+                    : WalkDensities.fromEye(y, end, 0) / builder.light().landings(y);
         }
         if (!y.joins(joined) || !y.joins(joined + 1)) {
             return 0;
         }
-        double eye = PathBuilder.walkFromEye(y, end, joined + 1);
+        double eye = WalkDensities.fromEye(y, end, joined + 1);
         if (kept < 0 && fromLight == 1) {
             return y.nextEvent * eye;
         }
-        return PathBuilder.walkFromLight(y, kept, joined) * eye;
+        return WalkDensities.fromLight(y, kept, joined) * eye;
     }
 
     @Override
@@ -264,7 +266,7 @@ public final class BidirectionalMutationStrat extends MutationStrategy {
             y.copy(x, oldEnd, x.length - oldEnd, newEnd);
             y.copyLens(x);
         } else {
-            builder.sampleLens(y, random);
+            builder.lens().sample(y, random);
         }
         if (!(kept < 0 && fromLight == 1) && !extendFromLight(y, kept, joined, builder, random)) {
             return false;
@@ -273,7 +275,7 @@ public final class BidirectionalMutationStrat extends MutationStrategy {
             return false;
         }
         if (kept < 0 && fromLight == 1) {
-            if (!joinable(y, 1, builder) || !builder.sampleLight(y, random)) {
+            if (!joinable(y, 1, builder) || !builder.light().sample(y, random)) {
                 return false;
             }
         }
@@ -283,20 +285,21 @@ public final class BidirectionalMutationStrat extends MutationStrategy {
         if (!limits.admit(y)) {
             return builder.fail(Outcome.BLACK);
         }
-        return builder.measure(y, kept, newEnd) && (joined < 0 || builder.reveal(y, joined));
+        return builder.contribution().measure(y, kept, newEnd)
+                && (joined < 0 || builder.edges().reveal(y, joined));
     }
 
     /** Adds vertices from the light's end up to one. */
     private static boolean extendFromLight(LightPath y, int kept, int to, PathBuilder builder, RandomStream random) {
         int at = kept;
         if (at < 0 && to >= 1) {
-            if (!builder.emit(y, true, random)) {
+            if (!builder.light().emit(y, random)) {
                 return false;
             }
             at = 1;
         }
         while (at < to) {
-            if (!builder.scatter(y, at, false, random) || !builder.traceToEye(y, at, random)) {
+            if (!builder.walk().scatter(y, at, false, random) || !builder.walk().traceToEye(y, at, random)) {
                 return false;
             }
             at++;
@@ -318,19 +321,21 @@ public final class BidirectionalMutationStrat extends MutationStrategy {
         }
         while (at > to) {
             met = at == k
-                    ? builder.look(
-                            y,
-                            k,
-                            random.nextDouble() * builder.camera().width(),
-                            random.nextDouble() * builder.camera().height(),
-                            random)
-                    : builder.scatter(y, at, true, random) && builder.traceToLight(y, at, random);
+                    ? builder.lens()
+                            .look(
+                                    y,
+                                    k,
+                                    random.nextDouble() * builder.camera().width(),
+                                    random.nextDouble() * builder.camera().height(),
+                                    random)
+                    : builder.walk().scatter(y, at, true, random)
+                            && builder.walk().traceToLight(y, at, random);
             at--;
             if (!met && !(at == 0 && builder.escaped())) {
                 return false;
             }
         }
-        return to > 0 || builder.land(y, met, random);
+        return to > 0 || builder.light().land(y, met, random);
     }
 
     private static boolean joinable(LightPath y, int vertex, PathBuilder builder) {
@@ -346,7 +351,7 @@ public final class BidirectionalMutationStrat extends MutationStrategy {
         if (!joinable(y, vertex, builder) || !joinable(y, vertex + 1, builder)) {
             return false;
         }
-        if (aim && !builder.aim(y, vertex + 1)) {
+        if (aim && !builder.lens().aim(y, vertex + 1)) {
             return false;
         }
         y.clear[vertex] = 1;

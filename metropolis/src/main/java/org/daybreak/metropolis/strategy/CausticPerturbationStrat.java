@@ -63,27 +63,28 @@ public final class CausticPerturbationStrat extends MutationStrategy {
         y.copy(x, 0, start + 1, 0);
         y.copyLight(x);
         y.copyLens(x);
-        if (!Tilt.tilt(x.dx[start], x.dy[start], x.dz[start], smallest, largest, scale(x, start), random, builder)) {
+        if (!Tilt.tilt(
+                x.dx[start], x.dy[start], x.dz[start], smallest, largest, scale(x, start), random, builder.walk())) {
             return builder.fail(Outcome.MISSED);
         }
-        if (!builder.traceToEye(y, start, random)) {
+        if (!builder.walk().traceToEye(y, start, random)) {
             return false;
         }
         for (int i = start + 1; i < k - 1; i++) {
             y.lobe[i] = x.lobe[i];
-            if (!builder.follow(y, i, false) || !builder.traceToEye(y, i, random)) {
+            if (!builder.walk().follow(y, i, false) || !builder.walk().traceToEye(y, i, random)) {
                 return false;
             }
         }
         if (!y.bsdfs[k - 1].connectable()) {
             return builder.fail(Outcome.KIND_CHANGED);
         }
-        if (!builder.aim(y, k)) {
+        if (!builder.lens().aim(y, k)) {
             return false;
         }
         y.clear[k - 1] = 1;
         y.setEdge(k - 1);
-        return builder.measure(y, start, k) && builder.reveal(y, k - 1);
+        return builder.contribution().measure(y, start, k) && builder.edges().reveal(y, k - 1);
     }
 
     @Override

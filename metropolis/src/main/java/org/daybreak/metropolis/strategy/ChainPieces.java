@@ -19,6 +19,7 @@ import org.daybreak.metropolis.manifold.WalkOutcome;
  */
 final class ChainPieces {
     private final Scene scene;
+    private final Failure failure;
     private final SpecularManifold manifold;
     private final ManifoldTangents tangents = new ManifoldTangents();
     private final SpecularChain before = new SpecularChain();
@@ -32,7 +33,8 @@ final class ChainPieces {
     private final double centreZ;
     private final double radius;
 
-    ChainPieces(RayCaster caster) {
+    ChainPieces(RayCaster caster, Failure failure) {
+        this.failure = failure;
         scene = caster.scene();
         manifold = new SpecularManifold(caster);
         Bounds bounds = scene.bounds();
@@ -76,14 +78,14 @@ final class ChainPieces {
      * @param x the old path
      * @param y the new one, in which c and b are set
      */
-    boolean move(LightPath x, LightPath y, int c, int b, PathBuilder builder) {
+    boolean move(LightPath x, LightPath y, int c, int b) {
         if (!extract(x, c, b, before)) {
-            return builder.fail(Outcome.UNREACHABLE);
+            return failure.because(Outcome.UNREACHABLE);
         }
         target.setSurface(y.points[b]);
         WalkOutcome outcome = manifold.walk(before, target, after);
         if (outcome != WalkOutcome.CONVERGED) {
-            return builder.fail(
+            return failure.because(
                     outcome == WalkOutcome.MISSED
                             ? Outcome.MISSED
                             : outcome == WalkOutcome.KIND_CHANGED ? Outcome.KIND_CHANGED : Outcome.UNREACHABLE);

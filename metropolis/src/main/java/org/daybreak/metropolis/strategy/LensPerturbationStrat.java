@@ -48,6 +48,6 @@ public final class LensPerturbationStrat extends MutationStrategy {
     public double transition(LightPath from, LightPath to, Move move, PathBuilder builder) {
         int d = move.kept + 1;
         double density = LensPiece.density(to, to.length, d);
-        return d == 0 ? density / builder.landings(to) : density;
+        return d == 0 ? density / builder.light().landings(to) : density;
     }
 }

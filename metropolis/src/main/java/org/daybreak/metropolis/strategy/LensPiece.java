@@ -45,7 +45,7 @@ final class LensPiece {
             return builder.fail(Outcome.OFF_FILM);
         }
         int d = diffuse(x);
-        boolean met = builder.look(y, k, filmX, filmY, random);
+        boolean met = builder.lens().look(y, k, filmX, filmY, random);
         return follow(x, y, k - 1, d, met, builder, random);
     }
 
@@ -62,7 +62,7 @@ final class LensPiece {
         boolean found = met;
         while (found && i > to) {
             y.lobe[i] = x.lobe[i];
-            found = builder.follow(y, i, true) && builder.traceToLight(y, i, random);
+            found = builder.walk().follow(y, i, true) && builder.walk().traceToLight(y, i, random);
             i--;
         }
         if (to > 0) {
@@ -71,13 +71,13 @@ final class LensPiece {
         if (i > 0 || (!found && !builder.escaped())) {
             return false;
         }
-        return builder.land(y, found, random);
+        return builder.light().land(y, found, random);
     }
 
     /** Joins a vertex that was made anew to what stays on the side of the light, and evaluates the path. */
     static boolean join(LightPath x, LightPath y, int vertex, PathBuilder builder) {
         if (vertex == 0) {
-            return builder.measure(y, 0, y.length);
+            return builder.contribution().measure(y, 0, y.length);
         }
         y.copy(x, 0, vertex, 0);
         y.copyLight(x);
@@ -87,7 +87,8 @@ final class LensPiece {
         } else {
             y.setEdge(vertex - 1);
         }
-        return builder.measure(y, vertex - 1, y.length) && builder.reveal(y, vertex - 1);
+        return builder.contribution().measure(y, vertex - 1, y.length)
+                && builder.edges().reveal(y, vertex - 1);
     }
 
     /**

@@ -50,17 +50,17 @@ public final class LensSubpathStrat extends MutationStrategy {
         LightPath walk = builder.scratchPath();
         int k = walk.length - 1;
         long longest = Math.min(k, limits.maxVertices() - (kept + 1));
-        builder.sampleLens(walk, random);
+        builder.lens().sample(walk, random);
         long pixel = strata.pixel(stratum);
         double filmX = strata.x(pixel, random.nextDouble());
         double filmY = strata.y(pixel, random.nextDouble());
-        boolean met = builder.look(walk, k, filmX, filmY, random);
+        boolean met = builder.lens().look(walk, k, filmX, filmY, random);
         int at = k - 1;
-        while (met && builder.chooseLobe(walk, at, random)) {
+        while (met && builder.walk().chooseLobe(walk, at, random)) {
             if (k - at + 1 > longest) {
                 return builder.fail(Outcome.BLACK);
             }
-            met = builder.follow(walk, at, true) && builder.traceToLight(walk, at, random);
+            met = builder.walk().follow(walk, at, true) && builder.walk().traceToLight(walk, at, random);
             at--;
         }
         if (!met && !(kept < 0 && builder.escaped())) {
@@ -72,7 +72,7 @@ public final class LensSubpathStrat extends MutationStrategy {
         y.length = d + vertices;
         y.copy(walk, at, vertices, d);
         y.copyLens(walk);
-        if (d == 0 ? !builder.land(y, met, random) : !y.bsdfs[d].connectable()) {
+        if (d == 0 ? !builder.light().land(y, met, random) : !y.bsdfs[d].connectable()) {
             return builder.fail(d == 0 ? Outcome.BLACK : Outcome.KIND_CHANGED);
         }
         return LensPiece.join(x, y, d, builder) && (limits.admit(y) || builder.fail(Outcome.BLACK));
@@ -81,7 +81,7 @@ public final class LensSubpathStrat extends MutationStrategy {
     @Override
     public double transition(LightPath from, LightPath to, Move move, PathBuilder builder) {
         int d = move.kept + 1;
-        double walk = PathBuilder.walkFromEye(to, to.length, d) * builder.stopProbability(to, d);
-        return d == 0 ? walk / builder.landings(to) : walk;
+        double walk = WalkDensities.fromEye(to, to.length, d) * builder.walk().stopProbability(to, d);
+        return d == 0 ? walk / builder.light().landings(to) : walk;
     }
 }

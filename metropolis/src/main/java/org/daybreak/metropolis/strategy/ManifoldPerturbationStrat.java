@@ -150,16 +150,17 @@ public final class ManifoldPerturbationStrat extends MutationStrategy {
         int joined = towardsLight ? b - 1 : b;
         boolean chain = Math.abs(b - c) > 1;
         if (chain) {
-            if (!builder.chains().move(x, y, c, b, builder)) {
+            if (!builder.chains().move(x, y, c, b)) {
                 return false;
             }
         } else {
             ChainPieces.setEdge(y, joined);
         }
-        if (c == k && !builder.aim(y, k)) {
+        if (c == k && !builder.lens().aim(y, k)) {
             return false;
         }
-        if (!builder.measure(y, Math.min(a, c), a == k || c == k ? y.length : last) || !builder.reveal(y, joined)) {
+        if (!builder.contribution().measure(y, Math.min(a, c), a == k || c == k ? y.length : last)
+                || !builder.edges().reveal(y, joined)) {
             return false;
         }
         return !chain || builder.chains().isReversible() || builder.fail(Outcome.UNREACHABLE);
@@ -173,24 +174,31 @@ public final class ManifoldPerturbationStrat extends MutationStrategy {
         y.copy(x, a, x.length - a, a);
         y.copyLens(x);
         if (!Tilt.tilt(
-                -x.dx[a - 1], -x.dy[a - 1], -x.dz[a - 1], smallestTilt, largestTilt, scale(x, a, b), random, builder)) {
+                -x.dx[a - 1],
+                -x.dy[a - 1],
+                -x.dz[a - 1],
+                smallestTilt,
+                largestTilt,
+                scale(x, a, b),
+                random,
+                builder.walk())) {
             return builder.fail(Outcome.MISSED);
         }
-        boolean met = builder.traceToLight(y, a, random);
+        boolean met = builder.walk().traceToLight(y, a, random);
         return LensPiece.follow(x, y, a - 1, b, met, builder, random);
     }
 
     private boolean perturbTowardsEye(
             LightPath x, LightPath y, int a, int b, PathBuilder builder, RandomStream random) {
-        if (!Tilt.tilt(x.dx[a], x.dy[a], x.dz[a], smallestTilt, largestTilt, scale(x, a, b), random, builder)) {
+        if (!Tilt.tilt(x.dx[a], x.dy[a], x.dz[a], smallestTilt, largestTilt, scale(x, a, b), random, builder.walk())) {
             return builder.fail(Outcome.MISSED);
         }
-        if (!builder.traceToEye(y, a, random)) {
+        if (!builder.walk().traceToEye(y, a, random)) {
             return false;
         }
         for (int i = a + 1; i < b; i++) {
             y.lobe[i] = x.lobe[i];
-            if (!builder.follow(y, i, false) || !builder.traceToEye(y, i, random)) {
+            if (!builder.walk().follow(y, i, false) || !builder.walk().traceToEye(y, i, random)) {
                 return false;
             }
         }
@@ -221,7 +229,7 @@ public final class ManifoldPerturbationStrat extends MutationStrategy {
                 smallestTilt,
                 largestTilt,
                 scale(from, a, b));
-        density *= PathBuilder.towardsLight(to, a - 1) * to.clear[a - 1] * to.opacity[a - 1];
+        density *= WalkDensities.towardsLight(to, a - 1) * to.clear[a - 1] * to.opacity[a - 1];
         return density * LensPiece.density(to, a - 1, b);
     }
 

@@ -84,10 +84,17 @@ public final class MultiChainPerturbationStrat extends MutationStrategy {
         while (d > last) {
             int next = LensPiece.nextDiffuse(x, d);
             if (!Tilt.tilt(
-                    -x.dx[d - 1], -x.dy[d - 1], -x.dz[d - 1], smallest, largest, scale(x, d, next), random, builder)) {
+                    -x.dx[d - 1],
+                    -x.dy[d - 1],
+                    -x.dz[d - 1],
+                    smallest,
+                    largest,
+                    scale(x, d, next),
+                    random,
+                    builder.walk())) {
                 return builder.fail(Outcome.MISSED);
             }
-            boolean met = builder.traceToLight(y, d, random);
+            boolean met = builder.walk().traceToLight(y, d, random);
             if (!LensPiece.follow(x, y, d - 1, next, met, builder, random)) {
                 return false;
             }
@@ -116,7 +123,7 @@ public final class MultiChainPerturbationStrat extends MutationStrategy {
                     smallest,
                     largest,
                     scale(from, d, next));
-            density *= PathBuilder.towardsLight(to, d - 1) * to.clear[d - 1] * to.opacity[d - 1];
+            density *= WalkDensities.towardsLight(to, d - 1) * to.clear[d - 1] * to.opacity[d - 1];
             density *= LensPiece.density(to, d - 1, next);
             d = next;
         }

@@ -32,7 +32,7 @@ final class Tilt {
             double largest,
             double scale,
             RandomStream random,
-            PathBuilder out) {
+            RandomWalk out) {
         double low = smallest * scale;
         double high = Math.min(LARGEST, largest * scale);
         double number = random.nextDouble();
