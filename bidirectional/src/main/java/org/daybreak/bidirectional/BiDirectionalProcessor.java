@@ -32,8 +32,9 @@ import org.jspecify.annotations.Nullable;
  */
 public final class BiDirectionalProcessor implements RayProcessor {
     /**
-     * What a vertex costs besides its ray, in occlusion tests: sampling, densities, weights and sums. Measured by
-     * {@code benchmarks/triangle_growth.py}: half a microsecond or more, where a test takes 30 to 100 ns.
+     * What a vertex costs besides its ray, in occlusion tests: sampling, densities, weights and sums. Half a
+     * microsecond ({@code benchmarks/triangle_growth.py}), while a test takes 30 ns among a dozen triangles and 100 ns among a
+     * thousand.
      */
     private static final int VERTEX_COST = 8;
 

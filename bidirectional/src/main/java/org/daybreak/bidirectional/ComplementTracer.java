@@ -28,9 +28,7 @@ final class ComplementTracer {
     private final TechniqueLimits limits;
     private final double exponent;
     private final int splitting;
-    /** n^β of technique t = 1. */
-    private final double lensShare;
-
+    private final double lensTerm;
     private final CombinedPathValues combined = new CombinedPathValues();
 
     private PathValues light = NONE;
@@ -68,7 +66,7 @@ final class ComplementTracer {
         this.limits = limits;
         this.exponent = exponent;
         this.splitting = splitting;
-        lensShare = MisWeight.power(limits.lensShare(), exponent);
+        lensTerm = limits.lensTerm(exponent);
     }
 
     /**
@@ -283,7 +281,7 @@ final class ComplementTracer {
     /** The weight by {@link MisWeight#chain}, for configurations whose limits of depth leave all techniques of the path. */
     double chainedWeight() {
         // All others are relative to the density of the technique in hand.
-        double own = t == 1 ? lensShare : 1;
+        double own = t == 1 ? lensTerm : 1;
         double sum = own;
         if (s >= 2) {
             int e = s - 1;
@@ -313,7 +311,7 @@ final class ComplementTracer {
     /** Σ over the techniques with fewer vertices from the eye, relative to one with z_{t−1} joined to the light side. */
     private double eyeChain(double ratio) {
         int f = t - 1;
-        double admissible = f == 1 ? (limits.lens() ? lensShare : 0) : eye.delta[f - 1] ? 0 : 1;
+        double admissible = f == 1 ? lensTerm : eye.delta[f - 1] ? 0 : 1;
         return MisWeight.chain(ratio, admissible, power(eyeBefore / eye.forward[f - 1]), eye.tail[f - 1]);
     }
 

@@ -67,9 +67,7 @@ public final class LineTracer {
     private final LightDensities lights;
     private final EmissionGuide guide;
     private final double exponent;
-    /** What technique t = 1 counts as in sums of weights. */
-    private final double lensAdmissible;
-
+    private final double lensTerm;
     private final boolean lensHits;
     private final LensSample lens;
     private LensHits hits = NO_HITS;
@@ -158,7 +156,7 @@ public final class LineTracer {
         this.camera = camera;
         this.caster = caster;
         this.exponent = exponent;
-        lensAdmissible = limits.lens() ? MisWeight.power(limits.lensShare(), exponent) : 0;
+        lensTerm = limits.lensTerm(exponent);
         lensHits = limits.lensHits();
         this.lens = lens;
         this.rrDepth = rrDepth;
@@ -555,7 +553,7 @@ public final class LineTracer {
         if (i > 1) {
             admissible = edge ? 1 : 0;
         } else if (eye) {
-            admissible = edge ? lensAdmissible : 0;
+            admissible = edge ? lensTerm : 0;
         } else {
             admissible = edge ? MisWeight.power(path.nextEventRatio, exponent) : 0;
         }

@@ -35,6 +35,11 @@ record TechniqueLimits(
         return path.length() - s == 1 ? lensShare : 1;
     }
 
+    /** What technique t = 1 counts as in sums of weights: n^β, or 0 if it is none. */
+    double lensTerm(double exponent) {
+        return lens ? MisWeight.power(lensShare, exponent) : 0;
+    }
+
     /** True if technique s can make the path. */
     boolean admits(CombinedPathValues path, int s) {
         int t = path.length() - s;
