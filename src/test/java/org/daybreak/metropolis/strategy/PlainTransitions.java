@@ -87,7 +87,11 @@ record PlainTransitions(double[] deleted, double[] added, int shortest, int long
 
     // T
 
-    double transition(String strategy, boolean importance, PlainPath x, PlainPath y, int kept, int oldEnd, int newEnd) {
+    /** NaN if finite differences do not tell. */
+    double transition(String strategy, boolean importance, PlainPath x, PlainPath y, Move move) {
+        int kept = move.kept;
+        int oldEnd = move.oldEnd;
+        int newEnd = move.newEnd;
         return switch (strategy) {
             case "bidirectional" ->
                 deletion(x, kept, oldEnd, importance)
@@ -97,6 +101,7 @@ record PlainTransitions(double[] deleted, double[] added, int shortest, int long
             case "lens" -> lens(y, kept + 1);
             case "caustic" -> caustic(x, y);
             case "multiChain" -> multiChain(x, y);
+            case "manifold" -> manifold(x, y, move.towardsLight, kept, newEnd);
             default -> throw new IllegalArgumentException(strategy);
         };
     }
@@ -287,7 +292,7 @@ record PlainTransitions(double[] deleted, double[] added, int shortest, int long
      * @param kept the last vertex before the change
      * @param end the first one behind
      */
-    double manifold(PlainPath x, PlainPath y, boolean towardsLight, int kept, int end) {
+    private double manifold(PlainPath x, PlainPath y, boolean towardsLight, int kept, int end) {
         int step = towardsLight ? -1 : 1;
         int a = towardsLight ? end : kept;
         int b = nextPlain(y, a, step);
@@ -318,11 +323,15 @@ record PlainTransitions(double[] deleted, double[] added, int shortest, int long
         return Math.abs(fine - coarse) < AGREEMENT * fine ? density * fine : Double.NaN;
     }
 
-    /** Largest part of an edge of the chain that rays start above its ends: so wrong finite differences of them are. */
-    static double lift(PlainPath y, boolean towardsLight, int kept, int end) {
-        int step = towardsLight ? -1 : 1;
-        int b = nextPlain(y, towardsLight ? end : kept, step);
-        return y.lift(b, nextPlain(y, b, step));
+    /**
+     * Largest part of an edge of the chain that rays start above its ends: so wrong finite differences of them are. NaN if no chain is
+     * moved.
+     */
+    static double lift(PlainPath y, Move move) {
+        int step = move.towardsLight ? -1 : 1;
+        int b = nextPlain(y, move.towardsLight ? move.newEnd : move.kept, step);
+        int c = nextPlain(y, b, step);
+        return Math.abs(c - b) > 1 ? y.lift(b, c) : Double.NaN;
     }
 
     private double multiChain(PlainPath x, PlainPath y) {
