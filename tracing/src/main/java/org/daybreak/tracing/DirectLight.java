@@ -18,6 +18,8 @@ import org.daybreak.core.scene.Scene;
  * §9.2.3), so the two methods here belong together. One object per worker.
  */
 final class DirectLight {
+    private static final int KNOWN = 16;
+
     private final Scene scene;
     private final LightSelection selection;
     /** With one light there is nothing to choose, and its estimate at each vertex would cost as much as sampling it. */
@@ -43,6 +45,19 @@ final class DirectLight {
     private double ny;
     private double nz;
 
+    /** Number of the vertex in hand, of all at which lights were sampled; and of the one that the ray was scattered at. */
+    private long vertex = 1;
+
+    private long vertices = 1;
+    private long from = 1;
+
+    /** Probabilities of lights at some vertices: of paths that split, many leave the scene from the same one. */
+    private final long[] knownAt = new long[KNOWN];
+
+    private final int[] knownLight = new int[KNOWN];
+    private final double[] known = new double[KNOWN];
+
+    private long keptVertex;
     private double keptNx;
     private double keptNy;
     private double keptNz;
@@ -66,6 +81,7 @@ final class DirectLight {
         fromNx = nx;
         fromNy = ny;
         fromNz = nz;
+        from = vertex;
     }
 
     /** Keeps the normal that lights were chosen with at the vertex in hand, for paths that will start there later. */
@@ -73,6 +89,7 @@ final class DirectLight {
         keptNx = nx;
         keptNy = ny;
         keptNz = nz;
+        keptVertex = vertex;
     }
 
     /** Goes back to the vertex of {@link #keepNormal}. */
@@ -80,6 +97,7 @@ final class DirectLight {
         nx = keptNx;
         ny = keptNy;
         nz = keptNz;
+        vertex = keptVertex;
     }
 
     /**
@@ -103,6 +121,7 @@ final class DirectLight {
             double u,
             double v,
             Spectrum radiance) {
+        vertex = ++vertices;
         double side = bsdf.transmissive() ? 0 : Math.signum(p.localZ(woX, woY, woZ));
         nx = side * p.nx;
         ny = side * p.ny;
@@ -195,13 +214,27 @@ final class DirectLight {
         }
         double weight = 1;
         if (scatterDensity < Double.POSITIVE_INFINITY) {
-            double chosen = single ? 1 : selection.probability(index, fromX, fromY, fromZ, fromNx, fromNy, fromNz);
+            double chosen = single ? 1 : probability(index);
             double density = chosen * met.incidentDensity(fromX, fromY, fromZ, hit, dx, dy, dz);
             weight = powerHeuristic(scatterDensity, density);
         }
         radiance.r += weight * throughputR * value.r;
         radiance.g += weight * throughputG * value.g;
         radiance.b += weight * throughputB * value.b;
+    }
+
+    /** Probability with which a light would be chosen at the vertex that the ray was scattered at. */
+    private double probability(int index) {
+        int slot = (int) (from + index) & KNOWN - 1;
+        if (knownAt[slot] != from || knownLight[slot] != index) {
+            knownAt[slot] = from;
+            knownLight[slot] = index;
+            double probability = from == vertices ? chosen.probabilityOf(index) : -1;
+            known[slot] = probability >= 0
+                    ? probability
+                    : selection.probability(index, fromX, fromY, fromZ, fromNx, fromNy, fromNz);
+        }
+        return known[slot];
     }
 
     /** Adds the emission of all lights at infinity for a ray that leaves the scene; parameters as {@link #addMet}. */

@@ -58,6 +58,12 @@ public final class ImportanceLightSelection implements LightSelection {
                 }
             }
         }
+        out.estimates[0] = w0;
+        out.estimates[1] = w1;
+        out.estimates[2] = w2;
+        out.estimates[3] = w3;
+        out.total = total;
+        out.candidates = candidates;
         // Rounding may leave a little over: that is the last candidate's.
         return candidates > 0;
     }
@@ -93,8 +99,9 @@ public final class ImportanceLightSelection implements LightSelection {
         return forEmission.emissionProbability(light);
     }
 
-    private static double mix(double importance, double total, int candidates) {
-        return (1 - UNIFORM_SHARE) * (importance / total) + UNIFORM_SHARE / candidates;
+    /** Probability of a light with an estimate, among so many with one. */
+    static double mix(double importance, double total, int candidates) {
+        return !(importance > 0) ? 0 : (1 - UNIFORM_SHARE) * (importance / total) + UNIFORM_SHARE / candidates;
     }
 
     private double importanceIfAny(int light, double px, double py, double pz, double nx, double ny, double nz) {

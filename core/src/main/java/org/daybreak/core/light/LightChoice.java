@@ -11,6 +11,12 @@ public final class LightChoice {
     /** Room for intermediate results of the selections, so that they need not allocate. */
     final double[] scratch = new double[2];
 
+    /** Estimates of the first lights at the point, where the selection has made them; and what turns them into probabilities. */
+    final double[] estimates = new double[4];
+
+    double total;
+    int candidates;
+
     /** Creates an empty choice. */
     public LightChoice() {}
 
@@ -18,5 +24,16 @@ public final class LightChoice {
     void set(int light, double probability) {
         this.light = light;
         this.probability = probability;
+        candidates = 0;
+    }
+
+    /**
+     * What {@link LightSelection#probability} gives for another light at the point of the last choice that was made with this object;
+     * -1 if that was made without a look at it.
+     */
+    public double probabilityOf(int other) {
+        return candidates > 0 && other < estimates.length
+                ? ImportanceLightSelection.mix(estimates[other], total, candidates)
+                : -1;
     }
 }

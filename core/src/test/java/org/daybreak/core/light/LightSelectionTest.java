@@ -83,6 +83,12 @@ class LightSelectionTest {
                         counts[choice.light]++;
                         double own = selection.probability(choice.light, p[0], p[1], p[2], 0, ny, 0);
                         assertEquals(own, choice.probability, 1e-15);
+                        int other = i % lights.size();
+                        assertEquals(
+                                selection instanceof ImportanceLightSelection && other < 4
+                                        ? selection.probability(other, p[0], p[1], p[2], 0, ny, 0)
+                                        : -1,
+                                choice.probabilityOf(other));
                     } else {
                         counts[lights.size()]++;
                     }
