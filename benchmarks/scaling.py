@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""How cost grows: time per ray from 10^3 to 10^7 triangles, and the speed-up of a whole render from 1 to 2 threads.
+"""How cost grows: time per ray from 10^3 to 10^7 triangles, and the speed-up of a render from 1 to 2 threads.
 
 Writes the numbers to standard output and the plots to docs/images/time_per_ray.png and docs/images/thread_speedup.png.
 Needs: python 3 with matplotlib; `mvn -DskipTests package` on a JDK 25; a machine that does nothing else meanwhile.
-Usage: benchmarks/scaling.py [--java PATH] [--largest 7] [--runs 5] [--scenes cornell_spheres,door_ajar]
+Usage: benchmarks/scaling.py [--java PATH] [--largest 7] [--runs 5] [--seconds 16] [--scenes cornell_spheres,door_ajar]
 """
 
 import argparse
+import concurrent.futures
 import csv
 import io
 import json
@@ -22,6 +23,9 @@ import matplotlib.pyplot as plt
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 IMAGES = os.path.join(ROOT, "docs", "images")
+
+# Seconds that a virtual machine takes to compile what a render needs.
+WARM = 4
 
 
 def time_per_ray(java, largest):
@@ -45,32 +49,51 @@ def time_per_ray(java, largest):
     figure.savefig(os.path.join(IMAGES, "time_per_ray.png"), dpi=100)
 
 
-def render_seconds(scene, threads, spp):
+def rate(scene, threads, seconds):
+    """Samples per second once all is compiled: the median of what was done in each second from the fifth on."""
     with tempfile.TemporaryDirectory() as folder:
-        stats = os.path.join(folder, "stats.json")
         command = [os.path.join(ROOT, "daybreak"), "render", os.path.join(ROOT, "scenes", scene, "scene.xml")]
-        command += ["-o", os.path.join(folder, "out.exr"), "--threads", str(threads), "--spp", str(spp)]
-        command += ["--stats", stats, "--progress", "none"]
-        subprocess.run(command, check=True)
-        with open(stats, encoding="utf-8") as f:
-            return json.load(f)["seconds"]["render"]["wall"]
+        command += ["-o", os.path.join(folder, "out.exr"), "--threads", str(threads), "--time", str(seconds), "--progress", "json"]
+        lines = subprocess.run(command, check=True, stderr=subprocess.PIPE, text=True).stderr.splitlines()
+    rates, last = [], None
+    for event in (json.loads(line) for line in lines if line.startswith("{")):
+        if event.get("event") == "progress" and event["secondsElapsed"] >= WARM:
+            now = event["secondsElapsed"], event["samples"]
+            if last is None:
+                last = now
+            elif now[0] - last[0] >= 1:
+                rates.append((now[1] - last[1]) / (now[0] - last[0]))
+                last = now
+    return statistics.median(rates)
 
 
-def thread_speedup(scenes, runs, spp):
-    medians = {}
+def rates(scene, seconds, processes, threads):
+    """Sum over processes that run at the same time."""
+    with concurrent.futures.ThreadPoolExecutor(processes) as pool:
+        return sum(pool.map(lambda _: rate(scene, threads, seconds), range(processes)))
+
+
+def thread_speedup(scenes, runs, seconds):
+    """Two threads over one; and two processes of one thread each, which share nothing but the machine: what it can give."""
+    kinds = {"2 threads": (1, 2), "2 processes": (2, 1)}
+    figure, axes = plt.subplots(figsize=(6.4, 0.8 + 0.6 * len(kinds) * len(scenes)))
+    labels = []
     for scene in scenes:
-        ratios = []
+        ratios = {kind: [] for kind in kinds}
         for _ in range(runs):
-            one, two = render_seconds(scene, 1, spp), render_seconds(scene, 2, spp)
-            ratios.append(one / two)
-            print(f"{scene}: 1 thread {one:.2f} s, 2 threads {two:.2f} s, speed-up {one / two:.3f}", flush=True)
-        medians[scene] = ratios
-        print(f"{scene}: median speed-up {statistics.median(ratios):.3f} of {runs} pairs", flush=True)
-    figure, axes = plt.subplots(figsize=(6.4, 3.2))
-    axes.boxplot([medians[s] for s in scenes], orientation="horizontal")
-    axes.set_yticks(range(1, len(scenes) + 1), scenes)
+            one = rates(scene, seconds, 1, 1)
+            for kind, (processes, threads) in kinds.items():
+                ratios[kind].append(rates(scene, seconds, processes, threads) / one)
+            print(f"{scene}: {one:.4g} samples/s with 1 thread; " + ", ".join(f"{k} {r[-1]:.3f}" for k, r in ratios.items()), flush=True)
+        for kind, values in ratios.items():
+            print(f"{scene}: {kind}: median {statistics.median(values):.3f} of {runs}", flush=True)
+            axes.plot(values, [len(labels)] * runs, "o", alpha=0.6)
+            axes.plot(statistics.median(values), len(labels), "k|", markersize=20)
+            labels.append(f"{scene}, {kind}")
+    axes.set_yticks(range(len(labels)), labels)
+    axes.set_ylim(-0.5, len(labels) - 0.5)
     axes.axvline(2, color="grey", linewidth=0.8)
-    axes.set_xlabel("speed-up of the whole render, 2 threads over 1")
+    axes.set_xlabel("samples per second over those of one thread; each run and their median")
     figure.tight_layout()
     figure.savefig(os.path.join(IMAGES, "thread_speedup.png"), dpi=100)
 
@@ -80,7 +103,7 @@ def main():
     parser.add_argument("--java", default="java")
     parser.add_argument("--largest", type=int, default=7, help="power of ten of the number of triangles")
     parser.add_argument("--runs", type=int, default=5)
-    parser.add_argument("--spp", type=int, default=256)
+    parser.add_argument("--seconds", type=float, default=16, help="length of each render with threads")
     parser.add_argument("--scenes", default="cornell_spheres,door_ajar")
     parser.add_argument("--only", choices=["rays", "threads"])
     arguments = parser.parse_args()
@@ -88,7 +111,7 @@ def main():
     if arguments.only != "threads":
         time_per_ray(arguments.java, arguments.largest)
     if arguments.only != "rays":
-        thread_speedup(arguments.scenes.split(","), arguments.runs, arguments.spp)
+        thread_speedup(arguments.scenes.split(","), arguments.runs, arguments.seconds)
 
 
 if __name__ == "__main__":

@@ -299,6 +299,9 @@ class DiagnosticScenesTest {
         Map<String, String> parameters = new HashMap<>(file.request().parameters());
         parameters.putAll(subject.parameters);
         parameters.put("mutationsPerPixel", Integer.toString(subject.samplesPerPixel * factor));
+        // The brightness that chains are scaled by comes from them.
+        parameters.computeIfPresent(
+                "bootstrapSamples", (name, samples) -> Integer.toString(Integer.parseInt(samples) * factor));
         Renderer renderer = Rendering.renderer(subject.renderer, parameters);
         Scene scene = ShippedScenes.compile(file.graph());
         ClosedForm closedForm = ClosedForm.of(subject.scene);
