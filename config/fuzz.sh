@@ -1,15 +1,21 @@
 #!/usr/bin/env bash
-# fuzz.sh [--runs N] [TEST…]: runs fuzz tests (docs/fuzzing.md) one after the other, all or those named by their methods, and
-# prints for each what it did. One in fifty executions also traces comparisons, which finds more and takes several times as
-# long. Exits with 1 if an input was found that a reader does not stand.
+# fuzz.sh [--runs N] [--duration D] [TEST…]: runs fuzz tests (docs/fuzzing.md) one after the other, all or those named by their
+# methods, N executions (10 million) of each but at most for the time D, such as 40m; prints for each what it did. One in fifty
+# executions also traces comparisons, which finds more and takes several times as long. Exits with 1 if an input was found that
+# a reader does not stand.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit
 
 runs=10000000
-if [ "${1:-}" = --runs ]; then
-    runs=$2
+duration=24h
+while [[ "${1:-}" == --* ]]; do
+    case $1 in
+        --runs) runs=$2 ;;
+        --duration) duration=$2 ;;
+        *) echo "fuzz.sh: no option $1" >&2 && exit 2 ;;
+    esac
     shift 2
-fi
+done
 
 # Prints "module class method" of every fuzz test.
 tests() {
@@ -25,7 +31,7 @@ tests() {
 # Runs test $3 of class $2 in module $1 for $4 executions with traces $5; adds the output to the log $6.
 fuzz() {
     mvn -B -ntp -Pfuzz,quick -Dmaven.test.skip=false -pl "$1" -am test -Dtest="$2#$3" -Dsurefire.failIfNoSpecifiedTests=false \
-        -Dfuzz.runs="$4" -Dfuzz.trace="$5" < /dev/null >> "$6" 2>&1
+        -Dfuzz.runs="$4" -Dfuzz.trace="$5" -Dfuzz.duration="$duration" < /dev/null >> "$6" 2>&1
 }
 
 logs=$(mktemp -d) || exit

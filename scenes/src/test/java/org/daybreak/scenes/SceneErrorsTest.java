@@ -250,6 +250,18 @@ class SceneErrorsTest {
     }
 
     @Test
+    void countsLinesAsXmlDoes() throws IOException {
+        String text = "<scene version='3.0.0'>\r\n<foo/>\r<foo a='>\n'/>\n\r\n  <foo/>\r\r <!--\r\n--><foo/></scene>\r";
+        assertEquals(
+                List.of("2:1", "3:1", "6:3", "9:4"),
+                SceneTexts.errors(folder, text).stream()
+                        .filter(error -> error.message().startsWith("unknown element"))
+                        .map(error ->
+                                error.location().line() + ":" + error.location().column())
+                        .toList());
+    }
+
+    @Test
     void reportsAllErrorsOfAllFilesInOneRun() throws IOException {
         SceneTexts.write(folder, "parts/part.xml", "<scene version='3.0.0'>\n <bsdf type='difuse'/>\n</scene>");
         SceneTexts.write(folder, "bad.obj", "v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n");

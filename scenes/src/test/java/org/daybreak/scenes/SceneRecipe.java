@@ -3,6 +3,8 @@ package org.daybreak.scenes;
 import static java.util.stream.Collectors.groupingBy;
 
 import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -19,7 +21,7 @@ import org.daybreak.scenes.description.ObjectKind;
 final class SceneRecipe {
     private static final Map<ObjectKind, List<PluginDefinition>> TYPES =
             InputFormats.plugins().stream().collect(groupingBy(PluginDefinition::kind));
-    /** What makes large tables when it is built; chosen less often. */
+    /** What makes large tables when it is built; chosen less often, and at most once in a scene. */
     private static final Set<String> SLOW = Set.of("plastic", "roughplastic", "sunsky", "sky");
 
     private static final int MOST_LEVELS = 6;
@@ -59,11 +61,14 @@ final class SceneRecipe {
             "0",
             "1e-300",
             "1e308");
+    /** What numbers may be, by the identity of the property. */
+    private static final Map<PropertyDefinition, List<String>> RANGES = ranges();
 
     private final byte[] recipe;
     private final StringBuilder out = new StringBuilder();
     private int at;
     private int objects;
+    private final Set<String> slow = new HashSet<>();
 
     private SceneRecipe(byte[] recipe) {
         this.recipe = recipe;
@@ -111,7 +116,7 @@ final class SceneRecipe {
             return;
         }
         PluginDefinition plugin = TYPES.get(kind).get(choice % TYPES.get(kind).size());
-        if (SLOW.contains(plugin.type()) && next() % 32 != 0) {
+        if (SLOW.contains(plugin.type()) && (next() % 32 != 31 || !slow.add(plugin.type()))) {
             plugin = TYPES.get(kind).get(0);
         }
         out.append('<')
@@ -188,25 +193,36 @@ final class SceneRecipe {
 
     /** The default, an end of the range, or any number. */
     private String inRange(PropertyDefinition p) {
-        List<String> values = new ArrayList<>(NUMBERS);
-        String otherwise = p.defaultValue();
-        if (otherwise != null) {
-            values.add(otherwise);
-        }
-        for (double end : new double[] {p.minimum(), p.maximum()}) {
-            if (Double.isFinite(end)) {
-                values.add(p.type() == ValueType.INTEGER ? Long.toString((long) end) : Double.toString(end));
+        return one(RANGES.getOrDefault(p, NUMBERS));
+    }
+
+    private static Map<PropertyDefinition, List<String>> ranges() {
+        Map<PropertyDefinition, List<String>> ranges = new IdentityHashMap<>();
+        for (PluginDefinition plugin : InputFormats.plugins()) {
+            for (PropertyDefinition p : plugin.properties()) {
+                List<String> values = new ArrayList<>(NUMBERS);
+                String otherwise = p.defaultValue();
+                if (otherwise != null) {
+                    values.add(otherwise);
+                }
+                for (double end : new double[] {p.minimum(), p.maximum()}) {
+                    if (Double.isFinite(end)) {
+                        values.add(p.type() == ValueType.INTEGER ? Long.toString((long) end) : Double.toString(end));
+                    }
+                }
+                ranges.put(p, values);
             }
         }
-        return one(values);
+        return ranges;
     }
 
     private void color(String name) {
-        switch (next() % 5) {
-            case 0 -> leaf("rgb", name, number() + ", " + number() + ", " + number());
-            case 1 -> leaf("float", name, number());
-            case 2 -> leaf("spectrum", name, one(SPECTRA));
-            case 3 -> leaf("srgb", name, "#80ff00");
+        // Spectra are integrated, which takes as long as all the rest of a scene.
+        switch (next() % 16) {
+            case 0, 1, 2, 3, 4, 5 -> leaf("rgb", name, number() + ", " + number() + ", " + number());
+            case 6, 7, 8, 9, 10 -> leaf("float", name, number());
+            case 11, 12, 13 -> leaf("srgb", name, "#80ff00");
+            case 14 -> leaf("spectrum", name, one(SPECTRA));
             default ->
                 out.append("<blackbody name='")
                         .append(name)

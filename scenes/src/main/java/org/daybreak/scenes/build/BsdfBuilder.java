@@ -1,5 +1,6 @@
 package org.daybreak.scenes.build;
 
+import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import org.daybreak.core.color.Spectrum;
@@ -53,13 +54,7 @@ final class BsdfBuilder {
 
     /** Builds a material. After an error that has been reported it is a placeholder. */
     Bsdf bsdf(ObjectDescription object, SourceLocation usedAt) {
-        Bsdf known = built.get(object);
-        if (known == null) {
-            Bsdf made = context.<Bsdf>build(object, usedAt, () -> make(object));
-            known = made == null ? DEFAULT : made;
-            built.put(object, known);
-        }
-        return known;
+        return context.shared(built, object, usedAt, DEFAULT, () -> make(object));
     }
 
     private @Nullable Bsdf make(ObjectDescription object) {
@@ -292,8 +287,10 @@ final class BsdfBuilder {
             return null;
         }
         boolean opaque = true;
+        List<Bsdf> sides = new ArrayList<>();
         for (Properties.Child child : nested) {
             Bsdf side = bsdf(child.object(), child.location());
+            sides.add(side);
             if (side.transmissive() || side.maybeTransparent()) {
                 context.error(
                         child.location(),
@@ -302,10 +299,7 @@ final class BsdfBuilder {
                 opaque = false;
             }
         }
-        Bsdf front = bsdf(nested.get(0).object(), nested.get(0).location());
-        Bsdf back =
-                nested.size() > 1 ? bsdf(nested.get(1).object(), nested.get(1).location()) : front;
-        return opaque ? new TwoSided(front, back) : null;
+        return opaque ? new TwoSided(sides.get(0), sides.get(sides.size() > 1 ? 1 : 0)) : null;
     }
 
     private @Nullable Bsdf mask(Properties p) {

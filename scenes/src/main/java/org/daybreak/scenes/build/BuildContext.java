@@ -28,11 +28,18 @@ final class BuildContext {
     /** References could chain objects deeper than any stack. */
     private static final int NESTING = 64;
 
+    /** Materials and textures have some ten parts each; one that is used twice by what is used twice soon has billions. */
+    private static final int MOST_PARTS = 1 << 12;
+
     private final SceneDescription description;
     private final ImageLoader images;
     private final ProblemList problems;
     private final IdentityHashMap<ObjectDescription, Properties> checked = new IdentityHashMap<>();
     private final List<ObjectDescription> building = new ArrayList<>();
+    private final IdentityHashMap<ObjectDescription, Integer> parts = new IdentityHashMap<>();
+    /** Parts so far of what is being built by {@link #shared}. */
+    private int partsSoFar;
+
     private final Set<Path> files = new LinkedHashSet<>();
 
     BuildContext(SceneDescription description, ImageLoader images, ProblemList problems) {
@@ -125,6 +132,41 @@ final class BuildContext {
         } finally {
             building.remove(building.size() - 1);
         }
+    }
+
+    /**
+     * Builds an object that others may share, once. What is asked of it later goes to each part as often as there are ways to
+     * it, so their number is bounded.
+     *
+     * @param built what has been built, to which this is added
+     * @param placeholder stands for the object after an error that has been reported
+     * @param builder returns null after such an error
+     */
+    <T> T shared(
+            IdentityHashMap<ObjectDescription, T> built,
+            ObjectDescription object,
+            SourceLocation usedAt,
+            T placeholder,
+            Supplier<@Nullable T> builder) {
+        T known = built.get(object);
+        if (known == null) {
+            int outer = partsSoFar;
+            partsSoFar = 1;
+            T made = build(object, usedAt, builder);
+            if (made != null && partsSoFar > MOST_PARTS) {
+                error(
+                        usedAt,
+                        object.label() + " has more than " + MOST_PARTS
+                                + " parts, each counted as often as it is used");
+                made = null;
+            }
+            known = made == null ? placeholder : made;
+            built.put(object, known);
+            parts.put(object, made == null ? 1 : partsSoFar);
+            partsSoFar = outer;
+        }
+        partsSoFar += parts.getOrDefault(object, 1);
+        return known;
     }
 
     /**

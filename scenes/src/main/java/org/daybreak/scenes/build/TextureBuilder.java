@@ -77,13 +77,7 @@ final class TextureBuilder {
 
     /** Builds a texture. */
     Texture texture(ObjectDescription object, SourceLocation usedAt) {
-        Texture known = built.get(object);
-        if (known == null) {
-            Texture made = context.<Texture>build(object, usedAt, () -> make(object));
-            known = made == null ? PLACEHOLDER : made;
-            built.put(object, known);
-        }
-        return known;
+        return context.shared(built, object, usedAt, PLACEHOLDER, () -> make(object));
     }
 
     private @Nullable Texture make(ObjectDescription object) {

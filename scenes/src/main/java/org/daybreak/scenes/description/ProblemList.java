@@ -10,6 +10,9 @@ public final class ProblemList {
     /** Further errors are only counted: nobody reads more, and generated files can have millions. */
     public static final int LISTED_ERRORS = 200;
 
+    /** Longer ones are no misspelt names. */
+    private static final int LONGEST_NAME = 200;
+
     private final List<SceneProblem> errors = new ArrayList<>();
     private final List<SceneProblem> warnings = new ArrayList<>();
     private long unlisted;
@@ -29,7 +32,19 @@ public final class ProblemList {
 
     /** Adds an error about a name that does not exist, with the nearest of the names that do. */
     public void unknownName(SourceLocation location, String message, String name, Collection<String> known) {
-        error(location, message + NearestName.hint(name, known));
+        // The hint takes time for each known name, of which there may be as many as there are unknown ones.
+        error(location, errors.size() < LISTED_ERRORS ? message + hint(name, known) : message);
+    }
+
+    /** Adds a warning about a name that does not exist, with the nearest of the names that do. */
+    public void unknownNameWarning(SourceLocation location, String message, String name, Collection<String> known) {
+        if (warnings.size() < LISTED_ERRORS) {
+            warning(location, message + hint(name, known));
+        }
+    }
+
+    private static String hint(String name, Collection<String> known) {
+        return name.length() > LONGEST_NAME ? "" : NearestName.hint(name, known);
     }
 
     /** Adds a warning. */

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
-import org.daybreak.core.render.NearestName;
 import org.daybreak.scenes.description.ProblemList;
 import org.daybreak.scenes.description.SourceLocation;
 import org.jspecify.annotations.Nullable;
@@ -17,11 +16,19 @@ final class Definitions {
     /** Definitions may contain each other; without a limit a few lines could ask for all memory. */
     private static final int LONGEST_VALUE = 1 << 16;
 
+    /** Characters of all attributes of a scene together that had definitions put in. */
+    private static final long MOST_CHARACTERS = 1L << 24;
+
     private final Map<String, String> values;
     private final Set<String> unused;
     private final Set<String> defaults = new TreeSet<>();
+    private int longestName;
+    private long characters;
 
     Definitions(Map<String, String> defines) {
+        for (String name : defines.keySet()) {
+            longestName = Math.max(longestName, name.length());
+        }
         values = new HashMap<>(defines);
         unused = new HashSet<>(defines.keySet());
     }
@@ -29,6 +36,7 @@ final class Definitions {
     /** Defines a name unless it is defined already. */
     void addDefault(String name, String value) {
         values.putIfAbsent(name, value);
+        longestName = Math.max(longestName, name.length());
         defaults.add(name);
         unused.remove(name);
     }
@@ -54,6 +62,13 @@ final class Definitions {
         if (dollar < 0) {
             return text;
         }
+        if (characters > MOST_CHARACTERS) {
+            problems.error(
+                    location,
+                    "with their definitions put in, attributes have more than " + MOST_CHARACTERS
+                            + " characters in all");
+            return null;
+        }
         StringBuilder result = new StringBuilder();
         boolean valid = true;
         int from = 0;
@@ -66,8 +81,8 @@ final class Definitions {
                 String word = word(text, dollar + 1);
                 String name = longestDefined(word);
                 if (name.isEmpty()) {
-                    problems.error(
-                            location, "'$" + word + "' is not defined" + NearestName.hint(word, values.keySet()));
+                    String shown = Numbers.shortened(word);
+                    problems.unknownName(location, "'$" + shown + "' is not defined", shown, values.keySet());
                     valid = false;
                     from = dollar + 1 + word.length();
                 } else {
@@ -85,6 +100,7 @@ final class Definitions {
             dollar = text.indexOf('$', from);
         }
         result.append(text, from, text.length());
+        characters += result.length();
         return valid ? result.toString() : null;
     }
 
@@ -97,7 +113,7 @@ final class Definitions {
     }
 
     private String longestDefined(String word) {
-        for (int length = word.length(); length > 0; length--) {
+        for (int length = Math.min(longestName, word.length()); length > 0; length--) {
             String name = word.substring(0, length);
             if (values.containsKey(name)) {
                 return name;

@@ -29,6 +29,9 @@ public final class MitsubaReader {
     /** Greatest number of files that include each other. */
     static final int INCLUDE_DEPTH = 16;
 
+    /** Greatest number of files in a scene; one that is included twice by what is included twice soon makes billions. */
+    private static final int MOST_FILES = 1 << 12;
+
     private static final Map<String, ObjectKind> KINDS =
             Arrays.stream(ObjectKind.values()).collect(Collectors.toUnmodifiableMap(ObjectKind::element, kind -> kind));
 
@@ -88,6 +91,11 @@ public final class MitsubaReader {
             problems.error(requestedAt, "files include each other more than " + INCLUDE_DEPTH + " levels deep");
             return List.of();
         }
+        if (files.size() >= MOST_FILES) {
+            broken = true;
+            problems.error(requestedAt, "a scene may include files " + MOST_FILES + " times in all");
+            return List.of();
+        }
         String text;
         try {
             text = XmlText.read(file);
@@ -125,6 +133,8 @@ public final class MitsubaReader {
         try {
             Path folder = location.file().resolveSibling(name);
             if (Files.isDirectory(folder)) {
+                Path real = folder.toAbsolutePath().normalize();
+                folders.removeIf(known -> known.toAbsolutePath().normalize().equals(real));
                 folders.add(0, folder);
             } else {
                 problems.error(location, "the folder '" + name + "' does not exist");

@@ -9,6 +9,8 @@ final class StartTagLocator {
     private int position;
     private int line = 1;
     private int lineStart;
+    private int lineFeed = -1;
+    private int carriageReturn = -1;
     private int startLine = 1;
     private int startColumn = 1;
 
@@ -76,14 +78,29 @@ final class StartTagLocator {
     }
 
     private void moveTo(int target) {
-        for (int i = position; i < target; i++) {
-            char c = text.charAt(i);
-            // XML counts a lone carriage return as a line end, and a pair with a line feed once.
-            if (c == '\n' || (c == '\r' && !(i + 1 < text.length() && text.charAt(i + 1) == '\n'))) {
-                line++;
-                lineStart = i + 1;
-            }
+        int end = lineEnd(position);
+        while (end < target) {
+            lineStart = end + (text.startsWith("\r\n", end) ? 2 : 1);
+            line++;
+            end = lineEnd(lineStart);
         }
         position = target;
+    }
+
+    /** Where the line ends that an index is in. XML counts a lone carriage return, and a pair with a line feed once. */
+    private int lineEnd(int from) {
+        // Kept, as a search for what the text does not have goes through all of it.
+        if (lineFeed < from) {
+            lineFeed = find('\n', from);
+        }
+        if (carriageReturn < from) {
+            carriageReturn = find('\r', from);
+        }
+        return Math.min(lineFeed, carriageReturn);
+    }
+
+    private int find(char c, int from) {
+        int found = text.indexOf(c, from);
+        return found < 0 ? text.length() : found;
     }
 }

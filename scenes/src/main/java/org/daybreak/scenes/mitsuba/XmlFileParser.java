@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Pattern;
 import javax.vecmath.Matrix4d;
 import javax.xml.stream.Location;
 import javax.xml.stream.XMLInputFactory;
@@ -27,6 +28,9 @@ import org.jspecify.annotations.Nullable;
 /** Parses one XML file. */
 final class XmlFileParser {
     private static final int ELEMENT_DEPTH = 64;
+    private static final Pattern VERSION = Pattern.compile("\\d{1,5}\\.\\d{1,5}\\.\\d{1,5}");
+    private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}_]+");
+
     private final MitsubaReader reader;
     private final ProblemList problems;
     private final Path file;
@@ -143,7 +147,7 @@ final class XmlFileParser {
                         location,
                         "the root element has no attribute 'version'; " + (old ? "0.6.0" : "3.0.0") + " is assumed");
             }
-        } else if (!version.matches("\\d{1,5}\\.\\d{1,5}\\.\\d{1,5}")) {
+        } else if (!VERSION.matcher(version).matches()) {
             problems.error(location, "the version '" + Numbers.shortened(version) + "' is not of the form 3.0.0");
         } else {
             old = version.startsWith("0.") || version.startsWith("1.");
@@ -425,7 +429,7 @@ final class XmlFileParser {
     }
 
     private void readDefault(String name, String value, SourceLocation location) {
-        if (name.matches("[\\p{L}\\p{N}_]+")) {
+        if (NAME.matcher(name).matches()) {
             reader.definitions().addDefault(name, value);
         } else {
             problems.error(

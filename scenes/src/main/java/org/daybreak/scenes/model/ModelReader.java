@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import org.daybreak.core.render.NearestName;
 import org.daybreak.scenes.description.ObjectDescription;
 import org.daybreak.scenes.description.ObjectKind;
 import org.daybreak.scenes.description.ProblemList;
@@ -103,9 +102,8 @@ public final class ModelReader {
         for (String name : used.names()) {
             MtlMaterial material = materials.get(name);
             if (material == null && !name.isEmpty()) {
-                problems.warning(
-                        SourceLocation.of(file),
-                        "no material file defines '" + name + "'" + NearestName.hint(name, materials.keySet()));
+                problems.unknownNameWarning(
+                        SourceLocation.of(file), "no material file defines '" + name + "'", name, materials.keySet());
             }
             shapes.add(shape(file, name, material == null ? List.of() : material.describe(images)));
         }
