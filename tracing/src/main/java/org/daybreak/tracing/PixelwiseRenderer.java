@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Supplier;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.film.Film;
 import org.daybreak.core.film.FilmSettings;
@@ -20,7 +21,9 @@ import org.daybreak.core.render.RenderReport;
 import org.daybreak.core.render.RenderState;
 import org.daybreak.core.render.Renderer;
 import org.daybreak.core.render.SampleAllocation;
+import org.daybreak.core.render.ThreadOwned;
 import org.daybreak.core.sampling.Sampler;
+import org.daybreak.core.scene.RayKind;
 import org.daybreak.core.scene.Scene;
 
 /**
@@ -90,7 +93,7 @@ public final class PixelwiseRenderer implements Renderer {
         private final TileGrid grid;
         private final SampleSchedule schedule;
         private final long samplesPerPixel;
-        private final List<RayProcessor> created = new ArrayList<>();
+        private final List<TileWorker> workers = new ArrayList<>();
         private final NonFiniteLog nonFinite = new NonFiniteLog();
         private final long resumedSamples;
         private final double resumedSeconds;
@@ -189,11 +192,16 @@ public final class PixelwiseRenderer implements Renderer {
 
         @Override
         protected Worker<TileUnit> newWorker() {
-            RayProcessor processor = processors.create(scene, camera, film.needsFeatures());
-            created.add(processor);
+            TileWorker worker = new TileWorker(this::newSampleTaker, furtherFilms.length == 0);
+            workers.add(worker);
             preparedAt = clock.seconds();
-            RaySample sample = new RaySample(furtherFilms.length);
-            return new TileWorker(processor, sample, samplesPerPixel, film, context, clock);
+            return worker;
+        }
+
+        private SampleTaker newSampleTaker() {
+            RayProcessor processor = processors.create(scene, camera, film.needsFeatures());
+            return new SampleTaker(
+                    processor, new RaySample(furtherFilms.length), samplesPerPixel, film, context, clock);
         }
 
         @Override
@@ -288,7 +296,7 @@ public final class PixelwiseRenderer implements Renderer {
                     resumedSamples,
                     finishedSamplesPerPixel,
                     Reports.phases(preparedAt, seconds),
-                    Reports.raysByKind(created, RayProcessor::rays),
+                    Reports.raysByKind(workers, TileWorker::rays),
                     nonFinite.count(),
                     nonFinite.addresses(),
                     Map.of("relativeError", progress.relativeError()),
@@ -298,8 +306,40 @@ public final class PixelwiseRenderer implements Renderer {
         }
     }
 
-    /** Takes the samples of tiles. */
+    /** Has tiles sampled. */
     private static final class TileWorker implements OrderedWork.Worker<TileUnit> {
+        private final ThreadOwned<SampleTaker> taker;
+        private final boolean renewable;
+        private final long[] raysBefore = new long[RayKind.values().length];
+
+        /**
+         * Creates a worker.
+         *
+         * @param renewable whether what takes samples may be made anew
+         */
+        TileWorker(Supplier<SampleTaker> maker, boolean renewable) {
+            taker = new ThreadOwned<>(maker, this::retire);
+            this.renewable = renewable;
+        }
+
+        @Override
+        public void compute(long number, TileUnit unit) {
+            (renewable ? taker.renewed() : taker.current()).compute(unit);
+        }
+
+        private void retire(SampleTaker old) {
+            for (RayKind kind : RayKind.values()) {
+                raysBefore[kind.ordinal()] += old.processor.rays(kind);
+            }
+        }
+
+        long rays(RayKind kind) {
+            return raysBefore[kind.ordinal()] + taker.current().processor.rays(kind);
+        }
+    }
+
+    /** Takes the samples of tiles. */
+    private static final class SampleTaker {
         private final RayProcessor processor;
         private final RenderContext context;
         private final long samplesPerPixel;
@@ -313,8 +353,9 @@ public final class PixelwiseRenderer implements Renderer {
         private Sampler sampler;
         private long samplerSeed;
         private int untilCheck;
+        private long taken;
 
-        TileWorker(
+        SampleTaker(
                 RayProcessor processor,
                 RaySample sample,
                 long samplesPerPixel,
@@ -334,9 +375,14 @@ public final class PixelwiseRenderer implements Renderer {
             filterSampling = film.settings().filterSampling();
         }
 
-        @Override
-        public void compute(long number, TileUnit unit) {
+        void compute(TileUnit unit) {
             unit.begin();
+            taken = 0;
+            takeAll(unit);
+            unit.samples = taken;
+        }
+
+        private void takeAll(TileUnit unit) {
             sample.further.beginUnit(unit.furtherSplats);
             processor.beginUnit();
             if (unit.seed != samplerSeed) {
@@ -400,7 +446,7 @@ public final class PixelwiseRenderer implements Renderer {
             if (!finite || !added) {
                 unit.nonFinite.addSample(unit.seed, x, y, index);
             }
-            unit.samples++;
+            taken++;
         }
     }
 }

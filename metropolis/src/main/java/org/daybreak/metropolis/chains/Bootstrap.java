@@ -74,8 +74,9 @@ final class Bootstrap extends OrderedWork<Bootstrap.Block> {
 
     @Override
     protected Worker<Block> newWorker() {
-        ChainWorker worker = workers.get(nextWorker++);
+        int thread = nextWorker++;
         return (unit, block) -> {
+            ChainWorker worker = workers.renewed(thread);
             block.nonFinite.clear();
             ChainWorker.Candidates found = (number, filmX, filmY, weight) -> block.add(weight);
             for (int i = 0; i < block.count; i++) {

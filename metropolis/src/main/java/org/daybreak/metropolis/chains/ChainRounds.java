@@ -74,11 +74,11 @@ abstract class ChainRounds extends OrderedWork<ChainRounds.Unit> {
 
     @Override
     protected final Worker<Unit> newWorker() {
-        ChainWorker worker = workers.get(nextWorker++);
+        int thread = nextWorker++;
         return (number, unit) -> {
             unit.splats.clear();
             unit.statistics.clear();
-            worker.advance(chains[unit.chain - first], unit.steps, unit.splats, unit.statistics);
+            workers.renewed(thread).advance(chains[unit.chain - first], unit.steps, unit.splats, unit.statistics);
         };
     }
 

@@ -83,9 +83,10 @@ final class ChainStarts extends OrderedWork<ChainStarts.Slot> {
 
     @Override
     protected Worker<Slot> newWorker() {
-        ChainWorker worker = workers.get(nextWorker++);
+        int thread = nextWorker++;
         Search search = new Search();
         return (unit, slot) -> {
+            ChainWorker worker = workers.renewed(thread);
             long candidate = starts.candidates()[slot.number];
             search.begin(starts.offsets()[slot.number]);
             worker.candidate(candidate, search);
