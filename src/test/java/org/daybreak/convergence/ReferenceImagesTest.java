@@ -218,7 +218,8 @@ class ReferenceImagesTest {
 
     /** Those that the scene asks for; may be changed. */
     private static Map<String, String> parameters(Row row) throws SceneException {
-        return new HashMap<>(ShippedScenes.read(row.scene + "/scene.xml").request().parameters());
+        return new HashMap<>(
+                ShippedScenes.read(row.scene + "/scene.xml").request().parameters());
     }
 
     private static void check(String rendererId, Map<String, String> parameters, Row row, int shrink)
