@@ -17,6 +17,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import org.daybreak.core.film.Film;
 import org.daybreak.core.film.FilmImage;
@@ -121,6 +122,28 @@ class ReproducibilityTest {
         Scene again = ShippedScenes.compile(
                 ShippedScenes.read("cornell_spheres/scene.xml").graph(), WIDTH, HEIGHT);
         assertSame(setup.render(renderer, SEED, 2), setup.render(renderer, again, SEED, 2), "compiled again");
+    }
+
+    /** After a collection threads make anew what they work with: {@link org.daybreak.core.render.ThreadOwned}. */
+    @ParameterizedTest
+    @ValueSource(strings = {"path", "raytracer", "light", "bidirectional", "metropolis", "pssmlt", "mmlt"})
+    void collectionsDoNotChangeABit(String rendererId) throws InterruptedException {
+        Setup setup = new Setup(ReconstructionFilter.BOX, antialiasing("sobol"), 64);
+        Renderer renderer = renderer(rendererId, 40);
+        FilmImage undisturbed = setup.render(renderer, SEED, 2);
+        AtomicBoolean rendering = new AtomicBoolean(true);
+        Thread collector = new Thread(() -> {
+            while (rendering.get()) {
+                System.gc();
+            }
+        });
+        collector.start();
+        try {
+            assertSame(undisturbed, setup.render(renderer, SEED, 2), "while memory is collected");
+        } finally {
+            rendering.set(false);
+            collector.join();
+        }
     }
 
     /** Two renders at a time share the scene and the renderer, and a third one is cancelled meanwhile. */
