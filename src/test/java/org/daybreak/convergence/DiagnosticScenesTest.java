@@ -299,7 +299,7 @@ class DiagnosticScenesTest {
         Map<String, String> parameters = new HashMap<>(file.request().parameters());
         parameters.putAll(subject.parameters);
         parameters.put("mutationsPerPixel", Integer.toString(subject.samplesPerPixel * factor));
-        // The brightness that chains are scaled by comes from them.
+        // The brightness that chains are scaled by comes from the candidates for their starts.
         parameters.computeIfPresent(
                 "bootstrapSamples", (name, samples) -> Integer.toString(Integer.parseInt(samples) * factor));
         Renderer renderer = Rendering.renderer(subject.renderer, parameters);

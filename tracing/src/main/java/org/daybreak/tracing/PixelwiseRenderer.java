@@ -315,7 +315,7 @@ public final class PixelwiseRenderer implements Renderer {
         /**
          * Creates a worker.
          *
-         * @param renewable whether what takes samples may be made anew
+         * @param renewable whether what takes samples may be made anew; not with further images, which know their processors
          */
         TileWorker(Supplier<SampleTaker> maker, boolean renewable) {
             taker = new ThreadOwned<>(maker, this::retire);

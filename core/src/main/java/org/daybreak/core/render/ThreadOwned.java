@@ -39,10 +39,12 @@ public final class ThreadOwned<T> {
     /** The one to use now, by the thread that calls: a new one if the last may have been moved. Valid until the next call. */
     public T renewed() {
         if (unmoved.get() == null && System.nanoTime() - readyAt >= 0) {
-            retire.accept(current);
+            T old = current;
             long before = System.nanoTime();
             unmoved = new WeakReference<>(new Object());
             current = maker.get();
+            // Not before: if making fails, the old one is still there to be counted.
+            retire.accept(old);
             long after = System.nanoTime();
             readyAt = after + (long) ((after - before) / LARGEST_SHARE);
         }
