@@ -109,6 +109,9 @@ public final class BidirectionalScenes {
                 "lights of every kind",
                 new BidirectionalScenes(11).everyLight().balls().view(0).graph);
         scenes.put(
+                "lights of every kind, rough",
+                new BidirectionalScenes(13).everyLight().roughBalls().view(0).graph);
+        scenes.put(
                 "mirrored instances of glass",
                 new BidirectionalScenes(12).hall().instances().view(0).graph);
         for (int i = 0; i < 4; i++) {
@@ -184,6 +187,16 @@ public final class BidirectionalScenes {
                 CrossScenes.globe(10, 6),
                 Transform.translate(0, 0.5, -0.6).multiply(Transform.scale(0.3, 0.3, -0.3)),
                 diffuse());
+        return this;
+    }
+
+    /** Nothing ideal, so that eye paths can find all that points and directions light. */
+    private BidirectionalScenes roughBalls() {
+        add(new Sphere(new Point3d(0.5, -0.2, -0.4), 0.4), Transform.identity(), rough(0.3));
+        add(
+                new Sphere(new Point3d(-0.5, -0.2, -0.5), 0.4),
+                Transform.identity(),
+                new RoughPlastic(Microfacet.Kind.GGX, 0.3, 1.5, 1, color(0.2, 0.8), color(0.5, 1), false));
         return this;
     }
 
