@@ -21,11 +21,14 @@ class MetropolisAgreementTest {
 
     private static final List<String> OPTIONS = List.of(
             "separateDirect=false",
+            "sharing=never",
+            "sharing=always",
             "importanceMutations=true",
             "importanceMutations=true separateDirect=false",
             "expectedValues=false",
             "expectedValues=false separateDirect=false",
-            "twoStage=true reduction=4",
+            "twoStage=true reduction=4 sharing=never",
+            "twoStage=true reduction=4 sharing=always",
             "twoStage=true reduction=4 separateDirect=false");
 
     /** Settings that leave the bidirectional strategy and one more. */
@@ -47,11 +50,14 @@ class MetropolisAgreementTest {
         for (String option : OPTIONS) {
             rows.add(Arguments.of("cornell_spheres", option, 96, 0.2));
         }
-        rows.add(Arguments.of("gold_ring", "", 48, 0.3));
+        rows.add(Arguments.of("gold_ring", "sharing=always", 48, 0.3));
+        rows.add(Arguments.of("gold_ring", "sharing=never", 48, 0.3));
         rows.add(Arguments.of("veach_room", "", 48, 0.3));
         rows.add(Arguments.of("door_ajar", "", 64, 0.3));
         rows.add(Arguments.of("lights of every kind", "separateDirect=false", 32, 0.15));
+        rows.add(Arguments.of("lights of every kind", "sharing=always", 32, 0.15));
         rows.add(Arguments.of("masks", "separateDirect=false", 32, 0.15));
+        rows.add(Arguments.of("masks", "sharing=always", 32, 0.15));
         rows.add(Arguments.of("lamp, glass and metal, thin lens", "separateDirect=false", 32, 0.15));
         rows.add(Arguments.of("lamp, glass and metal, parallel rays", "separateDirect=false", 32, 0.15));
         return rows.stream();
@@ -74,8 +80,8 @@ class MetropolisAgreementTest {
 
     static Stream<Arguments> allOtherScenes() {
         return BidirectionalScenes.withCrossScenes().keySet().stream()
-                .flatMap(name ->
-                        Stream.of("", "separateDirect=false").map(settings -> Arguments.of(name, settings, 200, 0.1)));
+                .flatMap(name -> Stream.of("sharing=never", "sharing=always", "separateDirect=false")
+                        .map(settings -> Arguments.of(name, settings, 200, 0.1)));
     }
 
     /**

@@ -68,7 +68,9 @@ class ReproducibilityTest {
                         "bootstrapSamples",
                         "2000",
                         "directSamples",
-                        "3"));
+                        "3",
+                        "sharing",
+                        "always"));
     }
 
     @BeforeAll
@@ -94,6 +96,8 @@ class ReproducibilityTest {
         "bidirectional, MITCHELL, sobol",
         "bidirectional, GAUSSIAN, stratified",
         "bidirectional, BOX, none",
+        "metropolis, BOX, sobol",
+        "metropolis, MITCHELL, stratified",
         "pssmlt, BOX, sobol",
         "pssmlt, MITCHELL, stratified",
         "mmlt, BOX, sobol",
@@ -115,7 +119,7 @@ class ReproducibilityTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"path", "raytracer", "light", "bidirectional", "pssmlt", "mmlt"})
+    @ValueSource(strings = {"path", "raytracer", "light", "bidirectional", "metropolis", "pssmlt", "mmlt"})
     void compilingAgainDoesNotChangeABit(String rendererId) throws SceneException {
         Setup setup = new Setup(ReconstructionFilter.BOX, antialiasing("sobol"), 4);
         Renderer renderer = renderer(rendererId, 6);

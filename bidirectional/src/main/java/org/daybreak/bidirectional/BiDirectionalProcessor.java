@@ -72,6 +72,7 @@ public final class BiDirectionalProcessor implements RayProcessor {
 
     private final Contribution contribution;
     private final Contribution.@Nullable Listener listener;
+    private final @Nullable PathFilter filter;
 
     /**
      * Creates a processor.
@@ -99,7 +100,7 @@ public final class BiDirectionalProcessor implements RayProcessor {
             BidirectionalSettings settings,
             int rouletteFrom,
             Contribution.@Nullable Listener listener) {
-        this(scene, camera, features, settings, rouletteFrom, listener, settings.connectionRoulette());
+        this(scene, camera, features, settings, rouletteFrom, listener, null, settings.connectionRoulette());
     }
 
     /**
@@ -114,7 +115,26 @@ public final class BiDirectionalProcessor implements RayProcessor {
             BidirectionalSettings settings,
             Contribution.@Nullable Listener listener,
             ConnectionRoulette roulette) {
-        this(scene, camera, features, settings, settings.rouletteFrom(), listener, roulette);
+        this(scene, camera, features, settings, settings.rouletteFrom(), listener, null, roulette);
+    }
+
+    /**
+     * A processor for a part of the light.
+     *
+     * @param settings without light subpaths at the lens
+     * @param filter which paths count
+     */
+    static BiDirectionalProcessor filtered(
+            Scene scene, Camera camera, boolean features, BidirectionalSettings settings, PathFilter filter) {
+        return new BiDirectionalProcessor(
+                scene,
+                camera,
+                features,
+                settings,
+                settings.rouletteFrom(),
+                null,
+                filter,
+                settings.connectionRoulette());
     }
 
     private BiDirectionalProcessor(
@@ -124,6 +144,7 @@ public final class BiDirectionalProcessor implements RayProcessor {
             BidirectionalSettings settings,
             int rouletteFrom,
             Contribution.@Nullable Listener listener,
+            @Nullable PathFilter filter,
             ConnectionRoulette roulette) {
         this.scene = scene;
         this.features = features;
@@ -143,6 +164,7 @@ public final class BiDirectionalProcessor implements RayProcessor {
         this.roulette = roulette;
         contribution = new Contribution(light, eye, lightSample, lens.lens(), complement);
         this.listener = listener;
+        this.filter = filter;
         causticMap = new CausticMap(
                 scene,
                 camera,
@@ -324,7 +346,9 @@ public final class BiDirectionalProcessor implements RayProcessor {
     /** Technique s = 0: the eye subpath ends on a light for the moment. */
     private void addMet(PathValues path) {
         int last = path.length() - 1;
-        if (path.length() > maxVertices || path.length() < minVertices) {
+        if (path.length() > maxVertices
+                || path.length() < minVertices
+                || (filter != null && !filter.counts(light, 0, path, path.length()))) {
             return;
         }
         if (path.infinite) {
@@ -372,6 +396,9 @@ public final class BiDirectionalProcessor implements RayProcessor {
     }
 
     private void addSampledLight(int f, int index, double chosen, double u, double v) {
+        if (filter != null && !filter.counts(light, 1, eye, f + 1)) {
+            return;
+        }
         SurfacePoint p = eye.points[f];
         Light sampled = scene.light(index);
         if (!sampled.sampleIncident(p.x, p.y, p.z, u, v, lightSample)) {
@@ -405,6 +432,9 @@ public final class BiDirectionalProcessor implements RayProcessor {
 
     /** Techniques with s, t ≥ 2: y_e joined to z_f. */
     private void connect(int e, int f) {
+        if (filter != null && !filter.counts(light, e + 1, eye, f + 1)) {
+            return;
+        }
         SurfacePoint y = light.points[e];
         SurfacePoint z = eye.points[f];
         double dx = z.x - y.x;

@@ -12,6 +12,7 @@ import org.daybreak.core.scene.Scene;
 import org.daybreak.tracing.FurtherImages;
 import org.daybreak.tracing.PixelwiseRenderer;
 import org.daybreak.tracing.RayProcessor;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Renders by bidirectional path tracing: pixel by pixel for eye subpaths, while the light subpath of each sample adds to the
@@ -27,19 +28,40 @@ public final class BidirectionalRenderer implements Renderer {
     }
 
     /**
+     * Creates a renderer for a part of the light.
+     *
+     * @param settings without light subpaths at the lens
+     * @param filter which paths count
+     */
+    public BidirectionalRenderer(BidirectionalSettings settings, PathFilter filter) {
+        this(settings, FurtherImages.NONE, filter);
+    }
+
+    /**
      * Creates a renderer.
      *
      * @param further images to make besides the film's: {@link TechniqueViews}, or none
      */
     BidirectionalRenderer(BidirectionalSettings settings, FurtherImages further) {
+        this(settings, further, null);
+    }
+
+    private BidirectionalRenderer(BidirectionalSettings settings, FurtherImages further, @Nullable PathFilter filter) {
         this.settings = settings;
-        pixelwise = new PixelwiseRenderer(BidirectionalRendererFactory.ID, new Processors(settings, further), further);
+        pixelwise = new PixelwiseRenderer(
+                BidirectionalRendererFactory.ID, new Processors(settings, further, filter), further);
     }
 
     /** Makes processors, which tell their contributions to the views of techniques if there are any. */
-    private record Processors(BidirectionalSettings settings, FurtherImages further) implements RayProcessor.Factory {
+    private record Processors(
+            BidirectionalSettings settings,
+            FurtherImages further,
+            @Nullable PathFilter filter) implements RayProcessor.Factory {
         @Override
         public RayProcessor create(Scene scene, Camera camera, boolean features) {
+            if (filter != null) {
+                return BiDirectionalProcessor.filtered(scene, camera, features, settings, filter);
+            }
             return further instanceof TechniqueViews views
                     ? views.record(listener -> new BiDirectionalProcessor(scene, camera, features, settings, listener))
                     : new BiDirectionalProcessor(scene, camera, features, settings, null);

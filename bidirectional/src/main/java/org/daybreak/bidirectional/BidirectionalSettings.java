@@ -47,6 +47,8 @@ public record BidirectionalSettings(
         EFFICIENCY
     }
 
+    private static final int DEFAULT_SPLITTING = 2;
+
     private static final List<Parameter> PATHS = List.of(
             depth(
                     "maxEyeDepth",
@@ -102,7 +104,7 @@ public record BidirectionalSettings(
             Parameter.integer(
                     "splitting",
                     "Eye paths from the first diffuse surface",
-                    2,
+                    DEFAULT_SPLITTING,
                     1,
                     1024,
                     "Number of ways in which an eye path goes on from the first surface that scatters diffusely. More help"
@@ -269,6 +271,26 @@ public record BidirectionalSettings(
      */
     public BidirectionalSettings singleSample() {
         return with(roulette == Roulette.NONE ? Roulette.NONE : Roulette.THROUGHPUT, 1, false, 1, false, minDepth);
+    }
+
+    /**
+     * The same settings for samples that belong to pixels: without light subpaths at the lens, and with the default values of all that
+     * {@link #singleSample} has not.
+     */
+    public BidirectionalSettings ofPixels() {
+        return new BidirectionalSettings(
+                maxEyeDepth,
+                maxLightDepth,
+                maxDepth,
+                heuristicExponent,
+                roulette == Roulette.NONE ? Roulette.NONE : Roulette.EFFICIENCY,
+                rrDepth,
+                DEFAULT_SPLITTING,
+                false,
+                false,
+                1,
+                false,
+                minDepth);
     }
 
     /** The same depths and heuristic with other values of the rest. */

@@ -65,7 +65,8 @@ class CheckpointTest {
         "raytracer, 2",
         "light, 5",
         "bidirectional, 4",
-        "metropolis -P mutationsPerPixel=8 -P bootstrapSamples=3000 -P twoStage=true, 4"
+        "metropolis -P mutationsPerPixel=8 -P bootstrapSamples=3000 -P twoStage=true, 4",
+        "metropolis -P mutationsPerPixel=8 -P bootstrapSamples=3000 -P sharing=always, 3"
     })
     void mergedPartsAreTheWholeImage(String rendererAndParameters, int parts) throws IOException {
         List<Object> same = new ArrayList<>(List.of("--renderer"));

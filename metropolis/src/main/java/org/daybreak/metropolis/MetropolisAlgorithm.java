@@ -3,13 +3,18 @@ package org.daybreak.metropolis;
 import java.util.ArrayList;
 import java.util.List;
 import org.daybreak.antialiasing.MetropolisAntiAliaser;
+import org.daybreak.bidirectional.BidirectionalRenderer;
 import org.daybreak.bidirectional.BidirectionalSettings;
 import org.daybreak.core.camera.Camera;
+import org.daybreak.core.render.Renderer;
 import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.StreamDomain;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.metropolis.chains.ChainAlgorithm;
 import org.daybreak.metropolis.chains.ChainWorker;
+import org.daybreak.metropolis.chains.PatternSet;
+import org.daybreak.metropolis.chains.PilotWorker;
+import org.daybreak.metropolis.chains.Sharing;
 import org.daybreak.metropolis.strategy.BidirectionalMutationStrat;
 import org.daybreak.metropolis.strategy.CausticPerturbationStrat;
 import org.daybreak.metropolis.strategy.FilmStrata;
@@ -19,6 +24,7 @@ import org.daybreak.metropolis.strategy.ManifoldPerturbationStrat;
 import org.daybreak.metropolis.strategy.MultiChainPerturbationStrat;
 import org.daybreak.metropolis.strategy.MutationStrategy;
 import org.daybreak.metropolis.strategy.PathLimits;
+import org.daybreak.metropolis.strategy.PathPattern;
 
 /** Metropolis light transport: states are paths, moves are Veach's mutations. */
 final class MetropolisAlgorithm implements ChainAlgorithm {
@@ -27,8 +33,38 @@ final class MetropolisAlgorithm implements ChainAlgorithm {
 
     private final MetropolisSettings settings;
 
+    /** Kinds of paths that samples find. */
+    private final PatternSet ofSamples;
+
     MetropolisAlgorithm(MetropolisSettings settings) {
+        this(settings, PatternSet.NONE);
+    }
+
+    private MetropolisAlgorithm(MetropolisSettings settings, PatternSet ofSamples) {
         this.settings = settings;
+        this.ofSamples = ofSamples;
+    }
+
+    @Override
+    public Sharing sharing() {
+        return settings.sharing();
+    }
+
+    @Override
+    public PilotWorker newPilotWorker(Scene scene, Camera camera, long seed, int shortest) {
+        return new MetropolisPilot(scene, camera, seed, settings.bidirectional(), shortest);
+    }
+
+    @Override
+    public ChainAlgorithm remainder(PatternSet patterns) {
+        return new MetropolisAlgorithm(settings, patterns);
+    }
+
+    @Override
+    public Renderer samples(PatternSet patterns, int shortest) {
+        return new BidirectionalRenderer(
+                settings.bidirectional().ofPixels(),
+                (light, s, eye, t) -> s + t - 1 < shortest || patterns.contains(PathPattern.of(light, s, eye, t)));
     }
 
     @Override
@@ -65,6 +101,7 @@ final class MetropolisAlgorithm implements ChainAlgorithm {
                 seed,
                 candidates,
                 strategies(camera, seed, shortest),
+                ofSamples,
                 settings.expectedValues(),
                 settings.chains().seedPaths());
     }
@@ -117,7 +154,8 @@ final class MetropolisAlgorithm implements ChainAlgorithm {
                 shortest,
                 edges + 1,
                 s.maxEyeDepth() < 0 ? Integer.MAX_VALUE : s.maxEyeDepth(),
-                s.maxLightDepth() < 0 ? Integer.MAX_VALUE : s.maxLightDepth());
+                s.maxLightDepth() < 0 ? Integer.MAX_VALUE : s.maxLightDepth(),
+                ofSamples);
     }
 
     private static double[] array(List<Double> numbers) {

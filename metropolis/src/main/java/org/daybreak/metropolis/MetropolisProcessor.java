@@ -15,9 +15,11 @@ import org.daybreak.metropolis.chains.Chain;
 import org.daybreak.metropolis.chains.ChainStatistics;
 import org.daybreak.metropolis.chains.ChainWorker;
 import org.daybreak.metropolis.chains.ImageImportance;
+import org.daybreak.metropolis.chains.PatternSet;
 import org.daybreak.metropolis.strategy.LightPath;
 import org.daybreak.metropolis.strategy.MutationStrategy;
 import org.daybreak.metropolis.strategy.PathBuilder;
+import org.daybreak.metropolis.strategy.PathPattern;
 import org.daybreak.tracing.RaySample;
 
 /**
@@ -27,6 +29,7 @@ import org.daybreak.tracing.RaySample;
 final class MetropolisProcessor implements ChainWorker {
     private final Scene scene;
     private final long seed;
+    private final PatternSet ofSamples;
     private final boolean expectedValues;
     private final long strideOfStrata;
     private final double pixels;
@@ -51,6 +54,7 @@ final class MetropolisProcessor implements ChainWorker {
     /**
      * Creates a worker.
      *
+     * @param ofSamples kinds of paths that chains do not find
      * @param expectedValues whether both states of a step are deposited
      * @param chains number of chains of the render
      */
@@ -60,10 +64,12 @@ final class MetropolisProcessor implements ChainWorker {
             long seed,
             BidirectionalSettings bidirectional,
             List<MutationStrategy> strategies,
+            PatternSet ofSamples,
             boolean expectedValues,
             int chains) {
         this.scene = scene;
         this.seed = seed;
+        this.ofSamples = ofSamples;
         this.expectedValues = expectedValues;
         strideOfStrata = chains;
         width = camera.width();
@@ -109,10 +115,13 @@ final class MetropolisProcessor implements ChainWorker {
         if (!(luminance > 0)) {
             return;
         }
+        // What light subpaths bring to the lens is per pixel.
+        double share = path.eyeVertices() == 1 ? luminance / pixels : luminance;
+        if (!ofSamples.isEmpty() && ofSamples.contains(PathPattern.of(path))) {
+            return;
+        }
         int number = counted++;
         if (wanted < 0) {
-            // What light subpaths bring to the lens is per pixel.
-            double share = path.eyeVertices() == 1 ? luminance / pixels : luminance;
             found.found(number, path.filmX(), path.filmY(), share * importance.at(path.filmX(), path.filmY()));
         } else if (number == wanted) {
             assembled = builder.assemble(path, target);

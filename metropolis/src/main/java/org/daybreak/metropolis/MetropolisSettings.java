@@ -1,12 +1,15 @@
 package org.daybreak.metropolis;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import org.daybreak.bidirectional.BidirectionalSettings;
 import org.daybreak.core.render.Parameter;
 import org.daybreak.core.render.ParameterException;
 import org.daybreak.core.render.ParameterValues;
 import org.daybreak.metropolis.chains.ChainSettings;
+import org.daybreak.metropolis.chains.Sharing;
 
 /**
  * Settings of Metropolis light transport, besides those of all chains.
@@ -22,6 +25,7 @@ import org.daybreak.metropolis.chains.ChainSettings;
  * @param smallestAngle the same for tilted directions, in pixels that they correspond to
  * @param largestAngle the same for tilted directions, as part of the image
  * @param expectedValues whether each step deposits both of its paths
+ * @param sharing whether bidirectional samples take a part of the light off the chains
  */
 public record MetropolisSettings(
         ChainSettings chains,
@@ -34,7 +38,8 @@ public record MetropolisSettings(
         double largestJump,
         double smallestAngle,
         double largestAngle,
-        boolean expectedValues) {
+        boolean expectedValues,
+        Sharing sharing) {
     /** Names of the strategies. */
     static final List<String> STRATEGIES =
             List.of("bidirectional", "lensSubpath", "lens", "caustic", "multiChain", "manifold");
@@ -125,6 +130,16 @@ public record MetropolisSettings(
                 true,
                 "Whether each step deposits both of its paths, with the probabilities of going to them, and not only the one"
                         + " that it goes to. Does not change the mean."));
+        all.add(Parameter.choice(
+                "sharing",
+                "Share with samples",
+                "auto",
+                Arrays.stream(Sharing.values())
+                        .map(sharing -> sharing.name().toLowerCase(Locale.ROOT))
+                        .toList(),
+                "Whether samples of bidirectional path tracing take off the chains what they find as well, with direct lighting"
+                        + " apart: auto (if a short pilot says that it pays, as in plainly lit rooms), always, or"
+                        + " never. Then directSamples is their number. Does not change the mean."));
         all.addAll(BidirectionalSettings.SINGLE_SAMPLE_PARAMETERS);
         return List.copyOf(all);
     }
@@ -165,7 +180,8 @@ public record MetropolisSettings(
                 values.real("largestJump"),
                 values.real("smallestAngle"),
                 values.real("largestAngle"),
-                values.flag("expectedValues"));
+                values.flag("expectedValues"),
+                Sharing.valueOf(values.choice("sharing").toUpperCase(Locale.ROOT)));
     }
 
     private static List<Double> list(double[] numbers) {

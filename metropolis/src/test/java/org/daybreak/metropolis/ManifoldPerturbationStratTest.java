@@ -38,6 +38,7 @@ import org.daybreak.core.scene.ShapeNode;
 import org.daybreak.core.testing.Moments;
 import org.daybreak.core.testing.ZTest;
 import org.daybreak.metropolis.chains.ChainStatistics;
+import org.daybreak.metropolis.chains.PatternSet;
 import org.daybreak.metropolis.strategy.LightPath;
 import org.daybreak.metropolis.strategy.ManifoldPerturbationStrat;
 import org.daybreak.metropolis.strategy.MutationStrategy;
@@ -145,8 +146,8 @@ class ManifoldPerturbationStratTest {
         BidirectionalSettings settings = new BidirectionalSettings(
                         -1, -1, 7, 1, BidirectionalSettings.Roulette.NONE, 3, 1, false, true)
                 .withMinDepth(2);
-        MetropolisProcessor worker =
-                new MetropolisProcessor(scene, scene.camera(), 1, settings, List.of(strategy), true, count);
+        MetropolisProcessor worker = new MetropolisProcessor(
+                scene, scene.camera(), 1, settings, List.of(strategy), PatternSet.NONE, true, count);
         RandomStream random = new RandomStream(7, StreamDomain.SELF_CHECK, 0, 0);
         SplatBuffer splats = new SplatBuffer();
         ChainStatistics statistics = new ChainStatistics(1);

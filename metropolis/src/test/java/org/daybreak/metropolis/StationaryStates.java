@@ -6,6 +6,7 @@ import org.daybreak.core.sampling.RandomStream;
 import org.daybreak.core.sampling.StreamDomain;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.metropolis.chains.ImageImportance;
+import org.daybreak.metropolis.chains.PatternSet;
 import org.daybreak.metropolis.strategy.BidirectionalMutationStrat;
 import org.daybreak.metropolis.strategy.CausticPerturbationStrat;
 import org.daybreak.metropolis.strategy.FilmStrata;
@@ -94,8 +95,8 @@ final class StationaryStates {
 
     /** A processor of chains of these states. */
     MetropolisProcessor processor(String letters, int chains) {
-        MetropolisProcessor processor =
-                new MetropolisProcessor(scene, scene.camera(), seed, settings, strategies(letters), true, chains);
+        MetropolisProcessor processor = new MetropolisProcessor(
+                scene, scene.camera(), seed, settings, strategies(letters), PatternSet.NONE, true, chains);
         processor.setImportance(importance);
         return processor;
     }

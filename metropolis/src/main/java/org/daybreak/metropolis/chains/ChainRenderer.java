@@ -15,7 +15,8 @@ import org.daybreak.tracing.Reports;
  *
  * <ol>
  *   <li>With {@link ChainSettings#separateDirect()}, paths of at most two edges are rendered by path tracing, with the antialiasing
- *       of the render; the chains then have longer paths only.
+ *       of the render; the chains then have longer paths only. An algorithm may let bidirectional samples find more: which kinds of
+ *       paths, a pilot with random numbers of its own says before.
  *   <li>With {@link ChainSettings#twoStage()}, a first run with a tenth of the steps and of the candidates makes a rough image,
  *       whose inverse is a factor on the target of the chains from then on. Its random numbers are its own, so the factor
  *       is independent of all that follows, and the mean does not depend on it.

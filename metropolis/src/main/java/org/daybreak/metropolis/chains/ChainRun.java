@@ -22,7 +22,7 @@ final class ChainRun {
     /** Entry of the position of a state: how far the chains are. */
     private static final String POSITION = "chains";
 
-    private final ChainAlgorithm algorithm;
+    private final ChainAlgorithm whole;
     private final ChainSettings settings;
     private final DirectPart direct;
     private final Scene scene;
@@ -47,6 +47,11 @@ final class ChainRun {
     private final long resumedSamples;
     private final double resumedSeconds;
     private List<FilmSettings.Crop> regions = List.of();
+    private SamplePlan plan = SamplePlan.CHAINS_ALONE;
+
+    /** With the target that the plan leaves to chains. */
+    private ChainAlgorithm algorithm;
+
     private Brightness brightness = Brightness.UNKNOWN;
     private ImageImportance importance = ImageImportance.UNIFORM;
     private Chain[] chains = new Chain[0];
@@ -64,6 +69,7 @@ final class ChainRun {
             Camera camera,
             Film film,
             RenderContext context) {
+        whole = algorithm;
         this.algorithm = algorithm;
         this.settings = settings;
         this.direct = direct;
@@ -113,7 +119,30 @@ final class ChainRun {
             // Nothing follows a complete render, and one that was merged from parts has no position.
             restoreFilm(start);
             complete = true;
-        } else if (start != null && start.position().containsKey(POSITION)) {
+        } else {
+            makePlan();
+            proceed(start);
+        }
+        if (begun) {
+            moveChains();
+        }
+        return finish();
+    }
+
+    /** The same for each part of a render and whenever it is resumed. */
+    private void makePlan() {
+        if (direct.exists() && !direct.isAll() && whole.sharing() != Sharing.NEVER) {
+            plan = startUp.plan(
+                    seed -> whole.newPilotWorker(scene, camera, seed, direct.shortestOfChains()),
+                    context.threads(),
+                    whole.sharing());
+            algorithm = whole.remainder(plan.ofSamples());
+            progress.endPhase("pilot");
+        }
+    }
+
+    private void proceed(@Nullable RenderState start) {
+        if (start != null && start.position().containsKey(POSITION)) {
             restoreFilm(start);
             resumeChains(start);
         } else {
@@ -125,10 +154,6 @@ final class ChainRun {
                 beginChains();
             }
         }
-        if (begun) {
-            moveChains();
-        }
-        return finish();
     }
 
     private boolean isStopped() {
@@ -143,7 +168,11 @@ final class ChainRun {
 
     private void renderDirect(@Nullable RenderState start) {
         if (directPhase.isLeft(start)) {
-            RenderReport report = directPhase.render(scene, camera, film, start);
+            DirectPart.Samples samples = plan.ofSamples().isEmpty()
+                    ? direct.directAlone()
+                    : new DirectPart.Samples(
+                            whole.samples(plan.ofSamples(), direct.shortestOfChains()), plan.timeShare());
+            RenderReport report = directPhase.render(samples, scene, camera, film, start, clock.seconds());
             progress.addDirect(report);
             warnings.addAll(report.warnings());
             RenderState state = directPhase.state();
@@ -342,6 +371,11 @@ final class ChainRun {
             figures.put("bStandardError", brightness.standardError());
             figures.put("seeds", (double) brightness.candidates());
             figures.put("seedsWithoutLight", (double) brightness.withoutLight());
+        }
+        if (!plan.ofSamples().isEmpty()) {
+            figures.put("patternsOfSamples", (double) plan.ofSamples().size());
+            figures.put("gainBySamples", plan.gain());
+            figures.put("timeShareOfSamples", plan.timeShare());
         }
         if (begun) {
             figures.put("chains", (double) lanes.chains());

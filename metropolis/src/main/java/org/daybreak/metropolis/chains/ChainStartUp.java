@@ -54,6 +54,20 @@ final class ChainStartUp {
         return (long) film.width() * film.height();
     }
 
+    /**
+     * Finds out how to divide the light between samples and chains. The random numbers are its own, and the number of samples is fixed: so is
+     * the plan, whatever the time or the number of threads, unless the render is stopped meanwhile.
+     *
+     * @param workers makes workers with a seed
+     */
+    SamplePlan plan(LongFunction<PilotWorker> workers, int threads, Sharing sharing) {
+        long ownSeed = Mixing.absorb(seed, PilotGrid.PER_CELL);
+        PilotGrid grid = new PilotGrid(film, ownSeed);
+        PilotPaths paths =
+                new SamplePilot(() -> workers.apply(ownSeed), grid, clock::shouldStop, progress::show).draw(threads);
+        return paths.surveys() < grid.surveys() ? SamplePlan.CHAINS_ALONE : SamplePlan.of(grid, paths, sharing);
+    }
+
     /** Renders the rough image. Its random numbers are its own. */
     ImageImportance roughImage() {
         long ownSeed = Mixing.absorb(seed, FIRST_STAGE);

@@ -18,7 +18,7 @@ import org.daybreak.tracing.PathTracerFactory;
 
 /**
  * Which paths are rendered apart from the chains, and how: those of at most two edges, by path tracing (thesis, section 5.4; Veach
- * 1997, §11.5). Immutable.
+ * 1997, §11.5), or these and what else samples take off the chains ({@link SamplePlan}). Immutable.
  */
 final class DirectPart {
     private static final int EDGES = 2;
@@ -28,6 +28,9 @@ final class DirectPart {
 
     /** Seconds in which a virtual machine that has just started takes a first sample of each pixel. */
     private static final double LEAST_SECONDS = 1;
+
+    /** A limit that is over before the first sample, when the pilot has taken all the time. */
+    private static final double NO_SECONDS = 1e-9;
 
     private final ChainSettings settings;
     private final int maxEyeDepth;
@@ -84,27 +87,42 @@ final class DirectPart {
         return isAll() ? 1 : settings.directShare();
     }
 
+    /** How it is rendered if samples take nothing else off the chains: by path tracing, with its part of the time. */
+    Samples directAlone() {
+        int edges = maxDepth >= 0 ? Math.min(EDGES, maxDepth) : EDGES;
+        PathTracerFactory factory = new PathTracerFactory();
+        Map<String, String> parameters = Map.of("maxDepth", Integer.toString(edges), "splitting", "1");
+        return new Samples(
+                factory.create(ParameterValues.parse(factory.parameters(), parameters, factory.id())), share());
+    }
+
+    /**
+     * What renders this part.
+     *
+     * @param timeShare part of the time that is left for it
+     */
+    record Samples(Renderer renderer, double timeShare) {}
+
     /**
      * Renders it.
      *
      * @param context of the whole render, with the state to go on from and the checkpoints of this part of it
+     * @param secondsGone of the whole render
      */
-    RenderReport render(Scene scene, Camera camera, Film film, RenderContext context) {
-        int edges = maxDepth >= 0 ? Math.min(EDGES, maxDepth) : EDGES;
-        PathTracerFactory factory = new PathTracerFactory();
-        Map<String, String> parameters = Map.of("maxDepth", Integer.toString(edges), "splitting", "1");
-        Renderer renderer = factory.create(ParameterValues.parse(factory.parameters(), parameters, factory.id()));
-        return renderer.render(
+    RenderReport render(
+            Samples samples, Scene scene, Camera camera, Film film, RenderContext context, double secondsGone) {
+        RenderBudget budget = budget(context.budget(), samples.timeShare, secondsGone);
+        return samples.renderer.render(
                 scene,
                 camera,
                 film,
                 new RenderContext(
                         context.seed(),
                         context.threads(),
-                        budget(context.budget()),
+                        budget,
                         context.antialiasing(),
                         context.cancellation(),
-                        new Listener(context.listener(), context.budget().seconds()),
+                        new Listener(context.listener(), context.budget().seconds() - secondsGone),
                         context.part(),
                         context.start(),
                         context.checkpoints()));
@@ -114,10 +132,11 @@ final class DirectPart {
      * Of the time, this part may take its share, and of short times so much that each pixel should get a sample. Of the square of the error half is for it, so that the chains can bring the whole
      * below the target: as its own relative error is that of a darker image, this is on the safe side.
      */
-    private RenderBudget budget(RenderBudget whole) {
+    private RenderBudget budget(RenderBudget whole, double timeShare, double secondsGone) {
         boolean open = whole.samplesPerPixel() >= Integer.MAX_VALUE;
         double target = isAll() ? whole.targetError() : whole.targetError() * Math.sqrt(0.5);
-        double seconds = Math.max(whole.seconds() * share(), Math.min(0.5 * whole.seconds(), LEAST_SECONDS));
+        double left = Math.max(NO_SECONDS, whole.seconds() - secondsGone);
+        double seconds = Math.max(left * timeShare, Math.min(0.5 * left, LEAST_SECONDS));
         return new RenderBudget(open ? Integer.MAX_VALUE : settings.directSamples(), seconds, target);
     }
 

@@ -48,9 +48,15 @@ final class DirectPhase {
     }
 
     /** Renders the direct light, and saves that it is done if chains follow. */
-    RenderReport render(Scene scene, Camera camera, Film film, @Nullable RenderState start) {
-        RenderReport done =
-                part.render(scene, camera, film, context.withStart(start).withCheckpoints(new Sink()));
+    RenderReport render(
+            DirectPart.Samples samples,
+            Scene scene,
+            Camera camera,
+            Film film,
+            @Nullable RenderState start,
+            double secondsGone) {
+        RenderContext ofPart = context.withStart(start).withCheckpoints(new Sink());
+        RenderReport done = part.render(samples, scene, camera, film, ofPart, secondsGone);
         report = done;
         RenderState last = state;
         if (last != null

@@ -1,5 +1,7 @@
 package org.daybreak.metropolis.strategy;
 
+import org.daybreak.metropolis.chains.PatternSet;
+
 /**
  * Which paths count: those that some technique of bidirectional path tracing with the same limits can make.
  *
@@ -7,12 +9,18 @@ package org.daybreak.metropolis.strategy;
  * @param maxVertices largest number of vertices
  * @param maxEyeVertices largest number of vertices from the lens, at least 1
  * @param maxLightVertices largest number of vertices from the light, at least 0
+ * @param leftOut kinds of paths that do not count: numbers of {@link PathPattern}
  */
-public record PathLimits(int shortest, long maxVertices, int maxEyeVertices, int maxLightVertices) {
+public record PathLimits(int shortest, long maxVertices, int maxEyeVertices, int maxLightVertices, PatternSet leftOut) {
+    /** Limits with which all kinds of paths count. */
+    public PathLimits(int shortest, long maxVertices, int maxEyeVertices, int maxLightVertices) {
+        this(shortest, maxVertices, maxEyeVertices, maxLightVertices, PatternSet.NONE);
+    }
+
     /** True if a path counts. */
     boolean admit(LightPath path) {
         int vertices = path.length;
-        if (vertices - 1 < shortest || vertices > maxVertices) {
+        if (vertices - 1 < shortest || vertices > maxVertices || leftOut.contains(PathPattern.of(path))) {
             return false;
         }
         if (vertices <= maxEyeVertices && !path.deltaLight) {

@@ -1,0 +1,45 @@
+package org.daybreak.metropolis.chains;
+
+/** Draws samples that show what samples and what chains would make of the paths of a scene. One object per thread. */
+public interface PilotWorker {
+    /** The pattern of all paths that are too short for chains. */
+    long SHORT = -1;
+
+    /** Number of samples that a {@link #survey} draws twice, and of candidates in half of it. */
+    int BLOCK = 4;
+
+    /** What has found a path. */
+    enum By {
+        /** A candidate for the start of chains, anywhere on the film. */
+        CANDIDATES,
+        /** The samples of a pixel. */
+        FIRST,
+        /** Other such samples of the same pixel. */
+        SECOND
+    }
+
+    /** Told of the paths that are found. */
+    @FunctionalInterface
+    interface Survey {
+        /**
+         * A path.
+         *
+         * @param pattern the kind of path, or {@link #SHORT}
+         * @param filmX where it is on the film, in pixels
+         * @param weight w·f* / p over the number of candidates or samples: the expectation of the sum over the paths of the candidates is the mean
+         *     luminance of the image, and that over those of the samples the luminance of the pixel, but for what such samples cannot find
+         */
+        void found(long pattern, double filmX, double filmY, double weight, By by);
+    }
+
+    /**
+     * Draws some candidates for the starts of chains, and as many samples of one pixel, in two halves; the random numbers are those of the index.
+     *
+     * @param column of the pixel
+     * @param row of the pixel
+     */
+    void survey(long index, int column, int row, Survey found);
+
+    /** Number of rays that the samples have traced so far, without those that test for occlusion. */
+    long rays();
+}

@@ -1,0 +1,112 @@
+package org.daybreak.metropolis.chains;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.daybreak.core.film.FilmSettings;
+import org.daybreak.core.film.ReconstructionFilter;
+import org.daybreak.core.sampling.RandomStream;
+import org.daybreak.core.sampling.StreamDomain;
+import org.daybreak.metropolis.chains.PilotWorker.By;
+import org.junit.jupiter.api.Test;
+
+/** Plans from pilots that are made up. */
+class SamplePlanTest {
+    private static final long STEADY = 4;
+    private static final long RARE = 5;
+    private static final long MISSED = 6;
+    private static final long SEED = 1;
+    private static final int RAYS_PER_SAMPLE = 8;
+
+    private final PilotGrid grid = new PilotGrid(new FilmSettings(80, 60, ReconstructionFilter.BOX), SEED);
+    private final PilotPaths paths = new PilotPaths();
+
+    /** Surveys a grey image: of luminance 1 by steady paths, and by others that few samples find, or none. */
+    private SamplePlan plan(double steady, double rare, double missed, Sharing sharing) {
+        RandomStream random = new RandomStream(SEED, StreamDomain.SELF_CHECK, 0, 0);
+        paths.clear();
+        for (int i = 0; i < grid.surveys(); i++) {
+            double x = random.nextDouble() * 80;
+            double y = random.nextDouble() * 60;
+            add(STEADY, x, y, steady, By.CANDIDATES);
+            add(RARE, x, y, rare, By.CANDIDATES);
+            add(MISSED, x, y, missed, By.CANDIDATES);
+            double px = grid.column(i) + 0.5;
+            double py = grid.row(i) + 0.5;
+            for (By half : new By[] {By.FIRST, By.SECOND}) {
+                add(STEADY, px, py, steady * (0.9 + 0.2 * random.nextDouble()), half);
+                add(RARE, px, py, random.nextDouble() < 0.01 ? 100 * rare : 0, half);
+            }
+            paths.addRays(2L * PilotWorker.BLOCK * RAYS_PER_SAMPLE);
+            paths.endSurvey();
+        }
+        return SamplePlan.of(grid, paths, sharing);
+    }
+
+    private void add(long pattern, double x, double y, double weight, By by) {
+        if (weight > 0) {
+            paths.found(pattern, x, y, weight, by);
+        }
+    }
+
+    @Test
+    void samplesGetWhatTheyFindSteadily() {
+        SamplePlan plan = plan(0.8, 0.1, 0.1, Sharing.AUTO);
+        assertTrue(plan.ofSamples().contains(STEADY));
+        assertFalse(plan.ofSamples().contains(RARE), "scatters more than chains");
+        assertFalse(plan.ofSamples().contains(MISSED), "samples do not find it");
+        assertTrue(plan.gain() > 2, () -> "gain " + plan.gain());
+        assertTrue(plan.timeShare() >= 0.2 && plan.timeShare() <= 0.8, () -> "share " + plan.timeShare());
+    }
+
+    @Test
+    void chainsAloneIfSamplesFindNothingWell() {
+        assertSame(SamplePlan.CHAINS_ALONE, plan(0, 0.5, 0.5, Sharing.AUTO));
+        SamplePlan forced = plan(0, 0.5, 0.5, Sharing.ALWAYS);
+        assertTrue(forced.ofSamples().contains(RARE));
+        assertFalse(forced.ofSamples().contains(MISSED));
+        assertTrue(forced.gain() < 1, () -> "gain " + forced.gain());
+    }
+
+    /** A little of what samples find well does not pay for the samples. */
+    @Test
+    void chainsAloneIfThereIsLittleToGain() {
+        assertSame(SamplePlan.CHAINS_ALONE, plan(0.05, 0.5, 0.45, Sharing.AUTO));
+    }
+
+    @Test
+    void chainsAloneIfNothingElseIsWanted() {
+        assertSame(SamplePlan.CHAINS_ALONE, plan(0.8, 0.1, 0.1, Sharing.NEVER));
+    }
+
+    @Test
+    void chainsAloneInTheDark() {
+        assertSame(SamplePlan.CHAINS_ALONE, plan(0, 0, 0, Sharing.ALWAYS));
+    }
+
+    /** A division of luminance 1 whose errors can be computed by hand. */
+    @Test
+    void gainIsThatOfTheFormula() {
+        paths.clear();
+        for (int i = 0; i < grid.surveys(); i++) {
+            add(STEADY, grid.column(i), grid.row(i), 0.5, By.CANDIDATES);
+            add(MISSED, grid.column(i), grid.row(i), 0.5, By.CANDIDATES);
+            add(STEADY, grid.column(i), grid.row(i), 0.6, By.FIRST);
+            add(STEADY, grid.column(i), grid.row(i), 0.4, By.SECOND);
+            paths.addRays(2L * PilotWorker.BLOCK * RAYS_PER_SAMPLE);
+            paths.endSurvey();
+        }
+        SamplePlan plan = SamplePlan.of(grid, paths, Sharing.AUTO);
+        // c·A with 0.5·4 samples of 0.45·8 steps, and a variance of 0.2²/2; τ = 5; the luminance is 1, so both errors
+        // are equal but for
+        // the floor.
+        double samples = 0.5 * 4 * 0.45 * RAYS_PER_SAMPLE * 0.02;
+        double chains = 5 * 0.25;
+        double floored = samples / (1 + 0.09);
+        double share = Math.sqrt(floored) / (Math.sqrt(floored) + Math.sqrt(chains / 1.09));
+        assertEquals(share, plan.timeShare(), 1e-9);
+        assertEquals(5 / (samples / share + chains / (1 - share)), plan.gain(), 1e-9);
+    }
+}
