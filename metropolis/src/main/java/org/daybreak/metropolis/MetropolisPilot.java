@@ -82,7 +82,7 @@ final class MetropolisPilot implements PilotWorker {
         return rays;
     }
 
-    private void found(Contribution path, By found) {
+    private void found(Contribution path, By by) {
         double luminance = path.weight() * Spectrum.luminance(path.red(), path.green(), path.blue());
         if (!(luminance > 0)) {
             return;
@@ -91,7 +91,10 @@ final class MetropolisPilot implements PilotWorker {
         double weight = path.eyeVertices() == 1 ? luminance / ((double) width * height) : luminance;
         int edges = path.lightVertices() + path.eyeVertices() - 1;
         long pattern = edges < shortest ? SHORT : PathPattern.of(path);
-        receiver.found(
-                pattern, path.filmX(), path.filmY(), weight / (found == By.CANDIDATES ? 2 * BLOCK : BLOCK), found);
+        if (by != By.CANDIDATES && pattern != SHORT && !PathPattern.isJoinable(pattern)) {
+            // What is found by chance tells little of what will be.
+            return;
+        }
+        receiver.found(pattern, path.filmX(), path.filmY(), weight / (by == By.CANDIDATES ? 2 * BLOCK : BLOCK), by);
     }
 }

@@ -22,6 +22,7 @@ import org.daybreak.metropolis.strategy.PathBuilder;
 import org.daybreak.metropolis.strategy.PathPattern;
 import org.daybreak.tracing.RaySample;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** That samples and chains agree on the kind of each path: else they would find some twice and others not at all. */
@@ -63,6 +64,23 @@ class PathPatternTest {
             double y = sampler.next() * ToyScenes.SIZE;
             processor.trace(x, y, sampler, new RaySample(), splats);
         }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "1, false",
+        "10, true",
+        "11, false",
+        "100, true",
+        "110, true",
+        "101, false",
+        "1101, false",
+        "1001, true",
+        "10101, false",
+        "111, false"
+    })
+    void whatCanBeJoined(String pattern, boolean joinable) {
+        assertEquals(joinable, PathPattern.isJoinable(Long.parseLong(pattern, 2)));
     }
 
     /** The kind of path that brings most light is left out: no mutation goes there, and all the others are met. */

@@ -27,7 +27,8 @@ public interface PilotWorker {
          * @param pattern the kind of path, or {@link #SHORT}
          * @param filmX where it is on the film, in pixels
          * @param weight w·f* / p over the number of candidates or samples: the expectation of the sum over the paths of the candidates is the mean
-         *     luminance of the image, and that over those of the samples the luminance of the pixel, but for what such samples cannot find
+         *     luminance of the image, and that over those of the samples the luminance of the pixel, but for kinds of paths that such samples
+         *     cannot find, or by chance only
          */
         void found(long pattern, double filmX, double filmY, double weight, By by);
     }

@@ -53,6 +53,9 @@ record SamplePlan(PatternSet ofSamples, double gain, double timeShare) {
     /** Samples have a kind of paths only if they find so much of it. */
     private static final double LEAST_FOUND = 0.7;
 
+    /** And only if it was found so many times, each with a similar weight: what is rare may have a larger error than is seen. */
+    private static final double LEAST_EVIDENCE = 16;
+
     /** Chains are to find what no sample of the pilot has shown, too, and take their time to begin. */
     private static final double MOST_TIME = 0.8;
 
@@ -85,13 +88,16 @@ record SamplePlan(PatternSet ofSamples, double gain, double timeShare) {
         /** Variance of the samples' luminance over L. */
         double variance;
 
+        /** (Σ w)²/Σ w² of the halves of surveys: how many of equal weight tell as much. */
+        double evidence;
+
         Kind(long pattern) {
             this.pattern = pattern;
         }
 
-        /** Whether samples find it nearly all: without light subpaths at the lens they may miss most. */
+        /** Whether samples find it nearly all, as without light subpaths at the lens they may miss most, and often enough to tell. */
         boolean isForSamples() {
-            return bySamples > LEAST_FOUND * brightness;
+            return bySamples > LEAST_FOUND * brightness && evidence > LEAST_EVIDENCE;
         }
 
         /** Small where samples are better. */
@@ -167,6 +173,7 @@ record SamplePlan(PatternSet ofSamples, double gain, double timeShare) {
 
         private void measure(Kind kind) {
             Halves halves = new Halves(paths.surveys());
+            double[] sums = new double[2 * paths.surveys()];
             for (int path : kind.paths) {
                 double weight = paths.weight(path) / paths.surveys();
                 if (paths.by(path) == PilotWorker.By.CANDIDATES) {
@@ -174,10 +181,14 @@ record SamplePlan(PatternSet ofSamples, double gain, double timeShare) {
                     kind.relative += weight / (scale[path] * scale[path]);
                 } else {
                     kind.bySamples += weight / 2;
+                    sums[2 * paths.survey(path) + (paths.by(path) == PilotWorker.By.FIRST ? 0 : 1)] += weight;
                     halves.add(paths.survey(path), signed(path) / scale[path]);
                 }
             }
             kind.variance = halves.variance();
+            double sum = Arrays.stream(sums).sum();
+            double squares = Arrays.stream(sums).map(x -> x * x).sum();
+            kind.evidence = squares == 0 ? 0 : sum * sum / squares;
         }
 
         private double signed(int path) {

@@ -50,4 +50,25 @@ public final class PathPattern {
         }
         return bits | 1L << inner;
     }
+
+    /**
+     * Whether samples of pixels can make such paths by joining: a point on a light to a vertex without a delta lobe, or two such vertices
+     * next to each other. All others they only find if a subpath meets the light by chance: rarely, and with large contributions, of which a
+     * small number of samples may not show a single one.
+     */
+    public static boolean isJoinable(long pattern) {
+        if (pattern == LONG) {
+            return false;
+        }
+        int inner = Long.SIZE - 1 - Long.numberOfLeadingZeros(pattern);
+        boolean joinable = true;
+        for (int i = 0; i < inner; i++) {
+            boolean delta = (pattern >> i & 1) != 0;
+            if (!delta && joinable) {
+                return true;
+            }
+            joinable = !delta;
+        }
+        return false;
+    }
 }

@@ -86,6 +86,25 @@ class SamplePlanTest {
         assertSame(SamplePlan.CHAINS_ALONE, plan(0, 0, 0, Sharing.ALWAYS));
     }
 
+    /** What three samples have found and nothing contradicts may be noise that is not seen. */
+    @Test
+    void chainsGetWhatIsNotKnownWell() {
+        paths.clear();
+        for (int i = 0; i < grid.surveys(); i++) {
+            add(STEADY, grid.column(i), grid.row(i), 0.9, By.CANDIDATES);
+            add(RARE, grid.column(i), grid.row(i), 0.1, By.CANDIDATES);
+            for (By half : new By[] {By.FIRST, By.SECOND}) {
+                add(STEADY, grid.column(i), grid.row(i), 0.9, half);
+                add(RARE, grid.column(i), grid.row(i), i < 3 ? 0.1 * grid.surveys() / 3 : 0, half);
+            }
+            paths.addRays(2L * PilotWorker.BLOCK * RAYS_PER_SAMPLE);
+            paths.endSurvey();
+        }
+        SamplePlan plan = SamplePlan.of(grid, paths, Sharing.AUTO);
+        assertTrue(plan.ofSamples().contains(STEADY));
+        assertFalse(plan.ofSamples().contains(RARE));
+    }
+
     /** A division of luminance 1 whose errors can be computed by hand. */
     @Test
     void gainIsThatOfTheFormula() {
