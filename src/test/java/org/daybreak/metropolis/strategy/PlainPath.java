@@ -26,6 +26,23 @@ import org.daybreak.tracing.EmissionGuide;
  * of two thin bundles of rays, which {@link #bundleRatio} measures.
  */
 final class PlainPath {
+    /**
+     * Steps of finite differences of chains, in radians: the smallest is far above rounding. Curved mirrors of a hundred thousand triangles
+     * need steps as small as that, to stay on one.
+     */
+    private static final double LARGEST_STEP = 0x1p-15;
+
+    private static final double SMALLEST_STEP = 0x1p-23;
+
+    /** Differences of two steps that differ by more than this part do not tell: the chain is near a fold. */
+    static final double AGREEMENT = 1e-5;
+
+    /** What goes straight on bends by no more than the tolerance of manifold walks. */
+    private static final double SMALLEST_FACET = 1e-5;
+
+    /** What manifold walks leave of an angle, and rounding. */
+    private static final double WALK_ERROR = 1e-8;
+
     final Scene scene;
     final Camera camera;
     final int k;
@@ -110,6 +127,15 @@ final class PlainPath {
         setScattering();
     }
 
+    /** Whether light passes along an edge that was joined. One that was traced may graze what its rays started above. */
+    boolean passes(int edge) {
+        RayCaster caster = new RayCaster(scene);
+        double[] d = edges[0];
+        return edge == 0 && infinite
+                ? caster.transmittanceToInfinity(points[1], -d[0], -d[1], -d[2]) > 0
+                : caster.transmittance(points[edge], points[edge + 1]) > 0;
+    }
+
     Bsdf bsdf(int vertex) {
         return scene.bsdf(points[vertex].shape);
     }
@@ -143,22 +169,27 @@ final class PlainPath {
         fromEyeByLobe[k] = 1;
         SurfacePoint lens = points[k];
         boolean atInfinity = k == 1 && infinite;
-        // The camera sees the point itself: at grazing angles that is not the ray's direction up to rounding.
-        double[] d = atInfinity ? edges[0] : between(points[k - 1], lens);
-        double cosine = Math.abs(points[k - 1].geometricCosine(d[0], d[1], d[2]));
+        SurfacePoint p = points[k - 1];
         CameraRay ray = new CameraRay();
         double density;
         if (camera.isParallel()) {
+            // All rays have one direction. That to the point seen is another one if it lay on the edge of a triangle: such are kept off edges.
+            double[] d = edges[k - 1];
             LensSample sample = new LensSample();
-            SurfacePoint p = points[k - 1];
             density = 1;
             if (!atInfinity && camera.sampleLens(p.x, p.y, p.z, 0.5, 0.5, sample)) {
-                camera.rayDensity(lens.x, lens.y, lens.z, -d[0], -d[1], -d[2], ray);
-                density = ray.densityPosition * cosine / Math.abs(sample.point.geometricCosine(d[0], d[1], d[2]));
+                SurfacePoint seenFrom = sample.point;
+                camera.rayDensity(seenFrom.x, seenFrom.y, seenFrom.z, -d[0], -d[1], -d[2], ray);
+                density = ray.densityPosition
+                        * cosine(k - 1, k - 1)
+                        / Math.abs(seenFrom.geometricCosine(d[0], d[1], d[2]));
             }
         } else {
+            // The camera sees the point itself: at grazing angles that is not the ray's direction up to rounding.
+            double[] d = atInfinity ? edges[0] : between(p, lens);
             camera.rayDensity(lens.x, lens.y, lens.z, -d[0], -d[1], -d[2], ray);
-            density = ray.densityDirection * (atInfinity ? 1 : cosine / squares[k - 1]);
+            density = ray.densityDirection
+                    * (atInfinity ? 1 : Math.abs(p.geometricCosine(d[0], d[1], d[2])) / squares[k - 1]);
         }
         fromEye[k - 1] = density;
         fromEyeByLobe[k - 1] = density;
@@ -251,12 +282,16 @@ final class PlainPath {
 
     /** |cos| of a direction to the normal of the facet that reflects or refracts e to l. */
     private static double cosineToFacet(SurfacePoint p, double[] of, double[] e, double[] l, double eta) {
-        double[] m = {eta * e[0] + l[0], eta * e[1] + l[1], eta * e[2] + l[2]};
-        double length = Math.sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
-        // What goes straight on bends by no more than the tolerance of manifold walks.
-        return length < 1e-5
+        double[] m = facet(e, l, eta);
+        double length = length(m);
+        return length < SMALLEST_FACET
                 ? Math.abs(p.localZ(of[0], of[1], of[2]))
                 : Math.abs(of[0] * m[0] + of[1] * m[1] + of[2] * m[2]) / length;
+    }
+
+    /** A vector along the normal of the facet that reflects or refracts e to l; none if that goes straight on. */
+    private static double[] facet(double[] e, double[] l, double eta) {
+        return new double[] {eta * e[0] + l[0], eta * e[1] + l[1], eta * e[2] + l[2]};
     }
 
     /**
@@ -267,14 +302,60 @@ final class PlainPath {
         double step = 1e-6;
         double[] e = toEye(vertex);
         double[] s = across(e);
-        double[] ds = difference(vertex, e, s, step);
-        double[] dt = difference(vertex, e, cross(e, s), step);
+        SurfacePoint p = turned(vertex);
+        double[] ds = difference(vertex, p, e, s, step);
+        double[] dt = difference(vertex, p, e, cross(e, s), step);
         return length(cross(ds, dt));
     }
 
-    private double[] difference(int vertex, double[] e, double[] along, double step) {
-        double[] ahead = lobeOf(vertex, e, along, step);
-        double[] behind = lobeOf(vertex, e, along, -step);
+    /**
+     * A vertex, turned so that its delta lobe leads from one edge of the path to the other, as it does but for what rays started above the
+     * surfaces: at grazing angles bundles are not the same.
+     */
+    private SurfacePoint turned(int vertex) {
+        SurfacePoint p = new SurfacePoint();
+        p.set(points[vertex]);
+        double[] e = toEye(vertex);
+        double[] l = toLight(vertex);
+        BsdfSample lobe = new BsdfSample();
+        Scattering.deltaLobe(bsdf(vertex), p, e[0], e[1], e[2], lobes[vertex], TransportMode.RADIANCE, lobe);
+        double[] before = facet(e, new double[] {lobe.wiX, lobe.wiY, lobe.wiZ}, lobe.eta);
+        double[] after = facet(e, l, lobe.eta);
+        double lengths = length(before) * length(after);
+        if (lengths < SMALLEST_FACET * SMALLEST_FACET) {
+            return p;
+        }
+        double[] axis = cross(before, after);
+        double cosine = (before[0] * after[0] + before[1] * after[1] + before[2] * after[2]) / lengths;
+        for (int i = 0; i < 3; i++) {
+            axis[i] /= lengths;
+        }
+        double[] s = turned(axis, cosine, p.sx, p.sy, p.sz);
+        double[] t = turned(axis, cosine, p.tx, p.ty, p.tz);
+        double[] n = turned(axis, cosine, p.nx, p.ny, p.nz);
+        p.sx = s[0];
+        p.sy = s[1];
+        p.sz = s[2];
+        p.tx = t[0];
+        p.ty = t[1];
+        p.tz = t[2];
+        p.nx = n[0];
+        p.ny = n[1];
+        p.nz = n[2];
+        return p;
+    }
+
+    /** A vector turned about an axis, whose length is the sine of the angle. */
+    private static double[] turned(double[] axis, double cosine, double x, double y, double z) {
+        double[] once = cross(axis, new double[] {x, y, z});
+        double[] twice = cross(axis, once);
+        double part = 1 / (1 + cosine);
+        return new double[] {x + once[0] + part * twice[0], y + once[1] + part * twice[1], z + once[2] + part * twice[2]};
+    }
+
+    private double[] difference(int vertex, SurfacePoint p, double[] e, double[] along, double step) {
+        double[] ahead = lobeOf(vertex, p, e, along, step);
+        double[] behind = lobeOf(vertex, p, e, along, -step);
         double[] d = new double[3];
         for (int i = 0; i < 3; i++) {
             d[i] = (ahead[i] - behind[i]) / (2 * step);
@@ -282,13 +363,13 @@ final class PlainPath {
         return d;
     }
 
-    private double[] lobeOf(int vertex, double[] e, double[] along, double step) {
+    private double[] lobeOf(int vertex, SurfacePoint p, double[] e, double[] along, double step) {
         double c = Math.cos(step);
         double s = Math.sin(step);
         BsdfSample lobe = new BsdfSample();
         boolean there = Scattering.deltaLobe(
                 bsdf(vertex),
-                points[vertex],
+                p,
                 c * e[0] + s * along[0],
                 c * e[1] + s * along[1],
                 c * e[2] + s * along[2],
@@ -298,32 +379,41 @@ final class PlainPath {
         return there ? new double[] {lobe.wiX, lobe.wiY, lobe.wiZ} : new double[] {Double.NaN, 0, 0};
     }
 
-    /** Largest distance by which rays start above the ends of an edge between two vertices, relative to its length. */
-    double lift(int b, int c) {
-        double largest = 0;
-        for (int i = Math.min(b, c); i < Math.max(b, c); i++) {
-            largest = Math.max(largest, Math.max(points[i].offset, points[i + 1].offset) / Math.sqrt(squares[i]));
+    /**
+     * Area that b moves over per area of the first vertex behind c, when c's direction changes and the chain of delta lobes between them
+     * is followed: by central differences of two steps, extrapolated to none.
+     *
+     * <p>The rays of the differences go through the vertices themselves, as those of the path do but for rounding: they start on the surface,
+     * and not above it. What is left of the lobe's direction to the next vertex, as the rays that found the chain did start above surfaces,
+     * is left over as well from the rays next to it.
+     *
+     * @return NaN if that is not differentiable, or cannot be told
+     */
+    double endPerFirst(int c, int b) {
+        double[][] left = leftOver(c, b);
+        for (double step = LARGEST_STEP; step > SMALLEST_STEP; step *= 0.25) {
+            double coarse = endPerFirst(c, b, left, step);
+            double fine = endPerFirst(c, b, left, 0.25 * step);
+            if (Math.abs(fine - coarse) < AGREEMENT * fine) {
+                return (16 * fine - coarse) / 15;
+            }
         }
-        return largest;
+        return Double.NaN;
     }
 
     /**
-     * Area that b moves over per area of the first vertex behind c, when c's direction changes and the chain of delta lobes between them
-     * is followed: by central differences.
-     *
-     * @param step of the direction, in radians; of lights at infinity relative to the length of the edge behind
-     * @return NaN if a ray leaves the surfaces
+     * @param step of the direction, in radians; of lights at infinity relative to a distance before the first vertex
+     * @return NaN if a ray leaves the surfaces, or the smooth pieces of them that the vertices of the path lie on
      */
-    double endPerFirst(int c, int b, double step) {
-        int sign = b > c ? 1 : -1;
-        double[] d = b > c ? edges[c] : toLight(c);
+    private double endPerFirst(int c, int b, double[][] left, double step) {
+        double[] d = direction(c, b);
         double[] s = across(d);
         double[] t = cross(d, s);
         double[][] first = new double[2][];
         double[][] end = new double[2][];
         for (int i = 0; i < 2; i++) {
-            double[] ahead = followed(c, b, sign, d, i == 0 ? s : t, step);
-            double[] behind = followed(c, b, sign, d, i == 0 ? s : t, -step);
+            double[] ahead = followed(c, b, left, d, i == 0 ? s : t, step);
+            double[] behind = followed(c, b, left, d, i == 0 ? s : t, -step);
             first[i] = new double[3];
             end[i] = new double[3];
             for (int j = 0; j < 3; j++) {
@@ -334,56 +424,147 @@ final class PlainPath {
         return length(cross(end[0], end[1])) / length(cross(first[0], first[1]));
     }
 
+    /** Direction from a vertex to its neighbour on the way to another: along the line between them, not that of a ray above it. */
+    private double[] direction(int from, int to) {
+        int next = to > from ? from + 1 : from - 1;
+        return from == 0 && infinite ? edges[0] : between(points[from], points[next]);
+    }
+
+    /** What is left over at each vertex between c and b. */
+    private double[][] leftOver(int c, int b) {
+        int sign = b > c ? 1 : -1;
+        double[][] left = new double[k + 1][];
+        for (int i = c + sign; i != b; i += sign) {
+            double[] d = i - sign == 0 && infinite ? edges[0] : between(points[i - sign], points[i]);
+            left[i] = leftOver(i, new double[] {-d[0], -d[1], -d[2]}, direction(i, b), mode(sign));
+        }
+        return left;
+    }
+
+    /**
+     * The part along the surface of the direction to the next vertex, less that of the lobe there: 0 but that rays start above surfaces.
+     * Along the surface as what a lobe keeps is that part; across it a grazing lobe magnifies all.
+     *
+     * @param back direction to the vertex before
+     */
+    private double[] leftOver(int vertex, double[] back, double[] next, TransportMode mode) {
+        SurfacePoint p = points[vertex];
+        BsdfSample lobe = new BsdfSample();
+        if (!Scattering.deltaLobe(bsdf(vertex), p, back[0], back[1], back[2], lobes[vertex], mode, lobe)) {
+            return new double[] {Double.NaN, 0, 0};
+        }
+        double x = next[0] - lobe.wiX;
+        double y = next[1] - lobe.wiY;
+        double z = next[2] - lobe.wiZ;
+        double across = p.localZ(x, y, z);
+        return new double[] {x - across * p.nx, y - across * p.ny, z - across * p.nz};
+    }
+
+    /**
+     * What is left over of the direction at a vertex with a delta lobe, relative to by how much rays may start, and points lie, off the lines
+     * between the vertices: for a path that follows its lobes a few times that.
+     */
+    double relativeLeftOver(int vertex) {
+        double[] back = direction(vertex, k);
+        double[] next = vertex == 1 && infinite ? toLight(1) : direction(vertex, 0);
+        double off = 0;
+        for (int i = vertex - 1; i <= vertex; i++) {
+            off += (points[i].offset + points[i + 1].offset) / Math.sqrt(squares[i]);
+        }
+        return length(leftOver(vertex, back, next, TransportMode.RADIANCE)) / (off + WALK_ERROR);
+    }
+
+    private static TransportMode mode(int sign) {
+        return sign > 0 ? TransportMode.IMPORTANCE : TransportMode.RADIANCE;
+    }
+
     /** The first vertex behind c and the last one, b, of a ray next to that of the path. */
-    private double[] followed(int c, int b, int sign, double[] d, double[] along, double step) {
+    private double[] followed(int c, int b, double[][] left, double[] d, double[] along, double step) {
+        int sign = b > c ? 1 : -1;
         double cosine = Math.cos(step);
         double sine = Math.sin(step);
         SurfacePoint here = new SurfacePoint();
         RayCaster caster = new RayCaster(scene);
         double[] ray = new double[3];
-        boolean met;
+        double[] nothing = {Double.NaN, 0, 0, 0, 0, 0};
         if (c == 0 && infinite) {
             double far = 0.01 * Math.sqrt(squares[1]);
             SurfacePoint p = points[1];
-            met = caster.trace(
-                    p.x - far * d[0] + far * step * along[0],
-                    p.y - far * d[1] + far * step * along[1],
-                    p.z - far * d[2] + far * step * along[2],
-                    d[0],
-                    d[1],
-                    d[2],
-                    RayKind.CAMERA,
-                    here);
+            here.x = p.x - far * d[0] + far * step * along[0];
+            here.y = p.y - far * d[1] + far * step * along[1];
+            here.z = p.z - far * d[2] + far * step * along[2];
             System.arraycopy(d, 0, ray, 0, 3);
         } else {
+            here.set(points[c]);
             for (int i = 0; i < 3; i++) {
                 ray[i] = cosine * d[i] + sine * along[i];
             }
-            met = c == k
-                    ? caster.trace(points[k].x, points[k].y, points[k].z, ray[0], ray[1], ray[2], RayKind.CAMERA, here)
-                    : caster.trace(points[c], ray[0], ray[1], ray[2], RayKind.SCATTERED, here);
         }
         double[] both = new double[6];
         BsdfSample lobe = new BsdfSample();
-        for (int i = c + sign; met && here.shape == points[i].shape; i += sign) {
-            int at = i == c + sign ? 0 : 3;
-            both[at] = here.x;
-            both[at + 1] = here.y;
-            both[at + 2] = here.z;
-            if (i == b) {
-                return both;
+        for (int i = c + sign; i != b; i += sign) {
+            if (!reach(caster, here, ray, points[i])) {
+                return nothing;
             }
-            TransportMode mode = sign > 0 ? TransportMode.IMPORTANCE : TransportMode.RADIANCE;
-            if (!Scattering.deltaLobe(bsdf(i), here, -ray[0], -ray[1], -ray[2], lobes[i], mode, lobe)) {
-                break;
+            if (i == c + sign) {
+                both[0] = here.x;
+                both[1] = here.y;
+                both[2] = here.z;
             }
-            ray[0] = lobe.wiX;
-            ray[1] = lobe.wiY;
-            ray[2] = lobe.wiZ;
-            met = caster.trace(here, ray[0], ray[1], ray[2], RayKind.SCATTERED, here);
+            if (!Scattering.deltaLobe(bsdf(i), here, -ray[0], -ray[1], -ray[2], lobes[i], mode(sign), lobe)) {
+                return nothing;
+            }
+            turn(here, lobe, left[i], ray);
         }
-        both[0] = Double.NaN;
+        // Masks may stand before b. Its surface is as good as its tangent plane.
+        SurfacePoint last = points[b];
+        double distance = last.geometricCosine(last.x - here.x, last.y - here.y, last.z - here.z)
+                / last.geometricCosine(ray[0], ray[1], ray[2]);
+        both[3] = here.x + distance * ray[0];
+        both[4] = here.y + distance * ray[1];
+        both[5] = here.z + distance * ray[2];
         return both;
+    }
+
+    /**
+     * Goes along a ray that starts at a point to the smooth piece of surface that another one lies on.
+     *
+     * @param here receives where that is
+     */
+    private static boolean reach(RayCaster caster, SurfacePoint here, double[] ray, SurfacePoint there) {
+        double x = here.x;
+        double y = here.y;
+        double z = here.z;
+        // As high above the surface as rays must start, but on the line.
+        double start = here.offset == 0 ? 0 : here.offset / Math.abs(here.geometricCosine(ray[0], ray[1], ray[2]));
+        if (!caster.trace(
+                        x + start * ray[0],
+                        y + start * ray[1],
+                        z + start * ray[2],
+                        ray[0],
+                        ray[1],
+                        ray[2],
+                        RayKind.CAMERA,
+                        here)
+                || here.shape != there.shape
+                || here.primitive != there.primitive
+                || here.instance != there.instance) {
+            return false;
+        }
+        // Points near the edges of triangles are moved away from them, off the ray: by up to four times the offset.
+        double[] d = {here.x - x, here.y - y, here.z - z};
+        double rounding = 0x1p-48 * (length(d) + Math.abs(here.x) + Math.abs(here.y) + Math.abs(here.z));
+        return length(cross(d, ray)) < 1e-3 * here.offset + rounding;
+    }
+
+    /** Sets the direction of a lobe, with what is left over added along the surface. */
+    private static void turn(SurfacePoint p, BsdfSample lobe, double[] left, double[] ray) {
+        double s = p.localX(lobe.wiX + left[0], lobe.wiY + left[1], lobe.wiZ + left[2]);
+        double t = p.localY(lobe.wiX + left[0], lobe.wiY + left[1], lobe.wiZ + left[2]);
+        double n = Math.copySign(Math.sqrt(1 - s * s - t * t), p.localZ(lobe.wiX, lobe.wiY, lobe.wiZ));
+        ray[0] = s * p.sx + t * p.tx + n * p.nx;
+        ray[1] = s * p.sy + t * p.ty + n * p.ny;
+        ray[2] = s * p.sz + t * p.tz + n * p.nz;
     }
 
     private static double length(double[] v) {

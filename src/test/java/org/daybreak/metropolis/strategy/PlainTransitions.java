@@ -17,12 +17,6 @@ import org.daybreak.core.material.TransportMode;
  * @param largest r₂ in pixels, alike
  */
 record PlainTransitions(double[] deleted, double[] added, int shortest, int longest, double smallest, double largest) {
-    /** Step of finite differences, in radians. */
-    private static final double STEP = 2e-6;
-
-    /** Finite differences of two steps that differ by more than this part do not tell: the chain is near a fold or the border of a triangle. */
-    private static final double AGREEMENT = 1e-4;
-
     // Which paths
 
     /** The first vertex from one towards the light that is no delta, 0 for the light. */
@@ -286,8 +280,7 @@ record PlainTransitions(double[] deleted, double[] added, int shortest, int long
 
     /**
      * Density of the manifold perturbation (Jakob and Marschner 2012), which tilts the direction at a, follows delta lobes to b and moves
-     * the chain between b and c. NaN if finite differences do not tell,
-     * near folds and borders of triangles.
+     * the chain between b and c. NaN if finite differences do not tell, near folds and edges of triangles.
      *
      * @param kept the last vertex before the change
      * @param end the first one behind
@@ -318,20 +311,19 @@ record PlainTransitions(double[] deleted, double[] added, int shortest, int long
         for (int i = c - 2 * step; i != b - step; i -= step) {
             density *= c > b ? y.fromEyeByLobe[i] : y.fromLightByLobe[i];
         }
-        double fine = y.endPerFirst(c, b, STEP);
-        double coarse = y.endPerFirst(c, b, 16 * STEP);
-        return Math.abs(fine - coarse) < AGREEMENT * fine ? density * fine : Double.NaN;
+        return density * y.endPerFirst(c, b);
     }
 
-    /**
-     * Largest part of an edge of the chain that rays start above its ends: so wrong finite differences of them are. NaN if no chain is
-     * moved.
-     */
-    static double lift(PlainPath y, Move move) {
+    /** Whether a move of the manifold perturbation moves a chain. */
+    static boolean movesChain(PlainPath y, Move move) {
         int step = move.towardsLight ? -1 : 1;
         int b = nextPlain(y, move.towardsLight ? move.newEnd : move.kept, step);
-        int c = nextPlain(y, b, step);
-        return Math.abs(c - b) > 1 ? y.lift(b, c) : Double.NaN;
+        return Math.abs(nextPlain(y, b, step) - b) > 1;
+    }
+
+    /** The edge that a move of the manifold perturbation joins. */
+    static int joined(PlainPath y, Move move) {
+        return move.towardsLight ? nextPlain(y, move.newEnd, -1) - 1 : nextPlain(y, move.kept, 1);
     }
 
     private double multiChain(PlainPath x, PlainPath y) {
