@@ -131,7 +131,7 @@ final class PlainPath {
     boolean passes(int edge) {
         RayCaster caster = new RayCaster(scene);
         double[] d = edges[0];
-        return edge == 0 && infinite
+        return (edge == 0 && infinite)
                 ? caster.transmittanceToInfinity(points[1], -d[0], -d[1], -d[2]) > 0
                 : caster.transmittance(points[edge], points[edge + 1]) > 0;
     }
@@ -173,7 +173,8 @@ final class PlainPath {
         CameraRay ray = new CameraRay();
         double density;
         if (camera.isParallel()) {
-            // All rays have one direction. That to the point seen is another one if it lay on the edge of a triangle: such are kept off edges.
+            // All rays have one direction. That to the point seen is another one if it lay on the edge of a triangle:
+            // such are kept off edges.
             double[] d = edges[k - 1];
             LensSample sample = new LensSample();
             density = 1;
@@ -350,7 +351,8 @@ final class PlainPath {
         double[] once = cross(axis, new double[] {x, y, z});
         double[] twice = cross(axis, once);
         double part = 1 / (1 + cosine);
-        return new double[] {x + once[0] + part * twice[0], y + once[1] + part * twice[1], z + once[2] + part * twice[2]};
+        return new double[] {x + once[0] + part * twice[0], y + once[1] + part * twice[1], z + once[2] + part * twice[2]
+        };
     }
 
     private double[] difference(int vertex, SurfacePoint p, double[] e, double[] along, double step) {

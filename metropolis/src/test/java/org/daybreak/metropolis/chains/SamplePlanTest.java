@@ -37,7 +37,7 @@ class SamplePlanTest {
             double py = grid.row(i) + 0.5;
             for (By half : new By[] {By.FIRST, By.SECOND}) {
                 add(STEADY, px, py, steady * (0.9 + 0.2 * random.nextDouble()), half);
-                add(RARE, px, py, random.nextDouble() < 0.01 ? 100 * rare : 0, half);
+                add(RARE, px, py, random.nextDouble() < 0.05 ? 20 * rare : 0, half);
             }
             paths.addRays(2L * PilotWorker.BLOCK * RAYS_PER_SAMPLE);
             paths.endSurvey();
