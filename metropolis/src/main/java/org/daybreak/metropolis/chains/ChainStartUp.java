@@ -15,6 +15,9 @@ final class ChainStartUp {
     /** The first of two stages has one in so many steps and candidates, and as much of the time. */
     private static final int FIRST_STAGE = 10;
 
+    /** Tells the random numbers of the pilot from those of the first of two stages. */
+    private static final int PILOT = 1;
+
     /** Part of the time that is left which the candidates may take. */
     private static final double BOOTSTRAP_SHARE = 0.2;
 
@@ -61,7 +64,7 @@ final class ChainStartUp {
      * @param workers makes workers with a seed
      */
     SamplePlan plan(LongFunction<PilotWorker> workers, int threads, Sharing sharing) {
-        long ownSeed = Mixing.absorb(seed, PilotGrid.PER_CELL);
+        long ownSeed = Mixing.absorb(seed, PILOT);
         PilotGrid grid = new PilotGrid(film, ownSeed);
         PilotPaths paths =
                 new SamplePilot(() -> workers.apply(ownSeed), grid, clock::shouldStop, progress::show).draw(threads);

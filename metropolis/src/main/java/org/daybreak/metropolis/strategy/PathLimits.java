@@ -20,7 +20,9 @@ public record PathLimits(int shortest, long maxVertices, int maxEyeVertices, int
     /** True if a path counts. */
     boolean admit(LightPath path) {
         int vertices = path.length;
-        if (vertices - 1 < shortest || vertices > maxVertices || leftOut.contains(PathPattern.of(path))) {
+        if (vertices - 1 < shortest
+                || vertices > maxVertices
+                || (!leftOut.isEmpty() && leftOut.contains(PathPattern.of(path)))) {
             return false;
         }
         if (vertices <= maxEyeVertices && !path.deltaLight) {
