@@ -36,7 +36,7 @@ record SamplePlan(PatternSet ofSamples, double gain, double timeShare) {
     static final SamplePlan CHAINS_ALONE = new SamplePlan(PatternSet.NONE, 1, 0);
 
     /** Below, what is foreseen is not sure enough. */
-    private static final double LEAST_GAIN = 1.3;
+    private static final double LEAST_GAIN = 1.6;
 
     /** What samples find without any noise is not worth more than that. */
     private static final double LARGEST_GAIN = 1000;
