@@ -83,7 +83,7 @@ class PathPatternTest {
         assertEquals(joinable, PathPattern.isJoinable(Long.parseLong(pattern, 2)));
     }
 
-    /** The kind of path that brings most light is left out: no mutation goes there, and all the others are met. */
+    /** The kind of path that brings most light is left out: no mutation goes there, but to others. */
     @ParameterizedTest
     @MethodSource("scenes")
     void chainsKeepOffWhatIsLeftOut(String name) {

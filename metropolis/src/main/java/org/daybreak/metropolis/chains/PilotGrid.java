@@ -10,7 +10,7 @@ final class PilotGrid {
     private static final int CELLS = 64;
 
     /** Number of pixels that are surveyed in each. */
-    static final int PER_CELL = 10;
+    private static final int PER_CELL = 10;
 
     private final int width;
     private final int height;
@@ -38,8 +38,7 @@ final class PilotGrid {
         return PER_CELL * cells();
     }
 
-    /** The cell of a survey. */
-    int cellOfSurvey(int survey) {
+    private int cellOfSurvey(int survey) {
         return survey % cells();
     }
 
