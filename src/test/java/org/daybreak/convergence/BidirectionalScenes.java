@@ -119,7 +119,24 @@ public final class BidirectionalScenes {
                     "materials " + (i + 1),
                     new BidirectionalScenes(20 + i).hall().lamp().materials(i).view(0).graph);
         }
+        scenes.put(
+                "shining glass",
+                new BidirectionalScenes(14).hall().lamp().shiningGlass().view(0).graph);
         return scenes;
+    }
+
+    /** Surfaces that shine by themselves and scatter by delta lobes alone, partly seen through each other. */
+    private BidirectionalScenes shiningGlass() {
+        add(new Sphere(new Point3d(0.4, -0.1, -0.2), 0.4), Transform.identity(), glass())
+                .setRadiance(color(0.5, 1));
+        add(new Sphere(new Point3d(0.1, -0.2, -0.9), 0.45), Transform.identity(), glass())
+                .setRadiance(color(1, 2));
+        add(
+                        new Sphere(new Point3d(-0.6, -0.1, -0.5), 0.4),
+                        Transform.identity(),
+                        Conductor.mirror(ConstantTexture.grey(0.8)))
+                .setRadiance(color(0.2, 0.4));
+        return this;
     }
 
     private BidirectionalScenes hall() {

@@ -123,6 +123,7 @@ final class MetropolisAlgorithm implements ChainAlgorithm {
                             new BidirectionalMutationStrat(
                                     weight,
                                     limits,
+                                    settings.wholePaths(),
                                     array(settings.deleted()),
                                     array(settings.added()),
                                     settings.importanceMutations());
@@ -149,7 +150,7 @@ final class MetropolisAlgorithm implements ChainAlgorithm {
 
     private PathLimits limits(int shortest) {
         BidirectionalSettings s = settings.bidirectional();
-        long edges = s.maxDepth() < 0 ? Long.MAX_VALUE - 1 : s.maxDepth();
+        long edges = s.maxDepth() < 0 ? Integer.MAX_VALUE : s.maxDepth();
         return new PathLimits(
                 shortest,
                 edges + 1,

@@ -17,7 +17,8 @@ import org.daybreak.metropolis.chains.Sharing;
  * @param chains those of all chains
  * @param bidirectional how candidates for the starts are sampled, and with it which paths count
  * @param weights relative probabilities of the strategies, in the order of {@link #STRATEGIES}; 0 for those switched off
- * @param deleted p_d: relative probabilities of deleting 1, 2, … edges
+ * @param wholePaths probability with which the bidirectional mutation replaces all of a path
+ * @param deleted p_d: relative probabilities of deleting 1, 2, … edges of it
  * @param added p_a: relative probabilities of a piece that is longer or shorter by 0, 1, … edges
  * @param importanceMutations whether deleted pieces are chosen by the density of what can build them
  * @param smallestJump r₁: smallest move of the image point, in pixels
@@ -31,6 +32,7 @@ public record MetropolisSettings(
         ChainSettings chains,
         BidirectionalSettings bidirectional,
         List<Double> weights,
+        double wholePaths,
         List<Double> deleted,
         List<Double> added,
         boolean importanceMutations,
@@ -78,14 +80,23 @@ public record MetropolisSettings(
                     "Mutation strategy that " + DOCS.get(i)
                             + ". Relative probability of choosing it where it applies; 0" + " switches it off."));
         }
+        all.add(Parameter.real(
+                "wholePaths",
+                "Whole paths",
+                0.3,
+                0.001,
+                1,
+                "Probability with which the bidirectional mutation replaces the whole path, and not a piece of it: chains leave by"
+                        + " it where nothing else leads away from."));
         all.add(Parameter.reals(
                 "deletedEdges",
                 "Deleted edges",
                 "0.25,0.5,0.125",
                 0,
                 1,
-                "Relative probabilities with which the bidirectional mutation deletes 1, 2, … edges; each further number of"
-                        + " edges has half the probability of the one before."));
+                "Relative probabilities with which the bidirectional mutation deletes pieces of 1, 2, … edges, where a chain of"
+                        + " mirrors and glass counts as one; each further number of edges has half the probability of the one"
+                        + " before."));
         all.add(Parameter.reals(
                 "addedEdges",
                 "Added edges",
@@ -173,6 +184,7 @@ public record MetropolisSettings(
                 ChainSettings.of(values),
                 BidirectionalSettings.ofSingleSamples(values),
                 STRATEGIES.stream().map(values::real).toList(),
+                values.real("wholePaths"),
                 list(values.reals("deletedEdges")),
                 list(values.reals("addedEdges")),
                 values.flag("importanceMutations"),

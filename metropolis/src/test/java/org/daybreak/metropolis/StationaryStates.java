@@ -75,8 +75,8 @@ final class StationaryStates {
         double smallest = 0.1;
         double largest = 0.3 * scene.camera().width();
         return switch (letter) {
-            case 'B' -> new BidirectionalMutationStrat(1, limits, deleted, added, false);
-            case 'I' -> new BidirectionalMutationStrat(1, limits, deleted, added, true);
+            case 'B' -> new BidirectionalMutationStrat(1, limits, 0.2, deleted, added, false);
+            case 'I' -> new BidirectionalMutationStrat(1, limits, 0.2, deleted, added, true);
             // Pixels of all proposals are independent, not spread evenly.
             case 'S' ->
                 new LensSubpathStrat(2, limits, new FilmStrata(scene.camera().width(), this::pixel));

@@ -73,6 +73,8 @@ final class ToyScenes {
         SCENES.put("parallel rays", new Toy(1, s -> s.skies().glassAndMirror().parallel()));
         SCENES.put("shading normals", new Toy(3, s -> s.hall().lamp().facets().look(0)));
         SCENES.put("normal maps", new Toy(3, s -> s.hall().lamp().normalMaps().look(0)));
+        SCENES.put(
+                "shining glass", new Toy(1, s -> s.hall().lamp().shiningGlass().look(0)));
     }
 
     private final SceneGraph graph = new SceneGraph();
@@ -161,6 +163,14 @@ final class ToyScenes {
     private ToyScenes glassAndMirror() {
         add(new Sphere(new Point3d(0.4, -0.1, -0.3), 0.5), Transform.identity(), glass());
         add(new Sphere(new Point3d(-0.5, -0.1, -0.5), 0.45), Transform.identity(), mirror());
+        return this;
+    }
+
+    private ToyScenes shiningGlass() {
+        add(new Sphere(new Point3d(0.4, -0.1, -0.3), 0.5), Transform.identity(), glass())
+                .setRadiance(new ConstantTexture(0.5, 0.6, 0.7));
+        add(new Sphere(new Point3d(-0.5, -0.1, -0.5), 0.45), Transform.identity(), mirror())
+                .setRadiance(new ConstantTexture(0.8, 0.7, 0.5));
         return this;
     }
 

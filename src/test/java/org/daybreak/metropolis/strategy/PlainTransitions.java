@@ -1,5 +1,7 @@
 package org.daybreak.metropolis.strategy;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.daybreak.core.camera.CameraRay;
 import org.daybreak.core.material.BsdfSample;
 import org.daybreak.core.material.Scattering;
@@ -9,14 +11,16 @@ import org.daybreak.core.material.TransportMode;
  * The strategies' densities T(x→y), and to which paths they apply, straight from the description of each (Veach 1997, §11.4) for {@link
  * PlainPath}s. Factors that both directions have in common are left out as the strategies say.
  *
- * @param deleted p_d, halved from its last entry on
+ * @param whole probability of replacing all of the path
+ * @param deleted p_d of pieces, halved from its last entry on
  * @param added p_a, alike
  * @param shortest smallest number of edges
  * @param longest largest number of edges
  * @param smallest r₁ in pixels, of film positions and angles
  * @param largest r₂ in pixels, alike
  */
-record PlainTransitions(double[] deleted, double[] added, int shortest, int longest, double smallest, double largest) {
+record PlainTransitions(
+        double whole, double[] deleted, double[] added, int shortest, int longest, double smallest, double largest) {
     // Which paths
 
     /** The first vertex from one towards the light that is no delta, 0 for the light. */
@@ -87,10 +91,16 @@ record PlainTransitions(double[] deleted, double[] added, int shortest, int long
         int oldEnd = move.oldEnd;
         int newEnd = move.newEnd;
         return switch (strategy) {
-            case "bidirectional" ->
-                deletion(x, kept, oldEnd, importance)
-                        * addition(x, kept, oldEnd, newEnd - kept)
-                        * construction(y, kept, newEnd);
+            case "bidirectional" -> {
+                List<Integer> before = joints(x);
+                List<Integer> after = joints(y);
+                int l = before.indexOf(kept);
+                int m = before.indexOf(oldEnd);
+                int newM = after.indexOf(newEnd);
+                yield deletion(x, before, l, m, importance)
+                        * addition(x, before, l, m, newM - l)
+                        * construction(y, after, l, newM);
+            }
             case "lensSubpath" -> lensSubpath(y, kept + 1);
             case "lens" -> lens(y, kept + 1);
             case "caustic" -> caustic(x, y);
@@ -104,100 +114,167 @@ record PlainTransitions(double[] deleted, double[] added, int shortest, int long
         return i < table.length ? table[i] : table[table.length - 1] * Math.pow(0.5, i - table.length + 1);
     }
 
-    /** In how many ways a piece of so many edges can be built, whose vertices from the light are 0, 1, …; 0 if it is not wanted. */
-    private int ways(int k, int kept, int oldEnd, int edges) {
-        int newK = k - (oldEnd - kept) + edges;
-        boolean toLight = kept == -1;
-        boolean toLens = oldEnd == k + 1;
-        if (newK < shortest || newK > longest || newK < 1 || edges < 1 || Math.abs(edges - (oldEnd - kept)) > 8) {
+    /**
+     * The vertices at which pieces of a path may end: its ends and those whose material has other lobes than deltas. The first is −1, for
+     * what lies before the light, so that the light is number 1; the last is k + 1, for what lies behind the lens.
+     */
+    private static List<Integer> joints(PlainPath x) {
+        List<Integer> joints = new ArrayList<>(List.of(-1, 0));
+        for (int i = 1; i < x.k; i++) {
+            if (x.bsdf(i).connectable()) {
+                joints.add(i);
+            }
+        }
+        joints.add(x.k);
+        joints.add(x.k + 1);
+        return joints;
+    }
+
+    private static boolean hasDeltasOnly(PlainPath x, int shape) {
+        return !x.scene.bsdf(shape).connectable() && x.scene.bsdf(shape).deltaLobes() > 0;
+    }
+
+    /**
+     * In how many ways a piece of so many edges between joints can be built, whose joints from the light are 0, 1, …; 0 if it is not wanted.
+     *
+     * @param joints number of joints of the path that it is a piece of
+     * @param l number of the last joint that stays on the side of the light; 0 if none does
+     * @param m number of the first one that stays on the side of the lens; joints + 1 if none does
+     */
+    private int ways(PlainPath x, int joints, int l, int m, int edges) {
+        int newJoints = joints - (m - l) + edges;
+        boolean toLight = l == 0;
+        boolean toLens = m == joints + 1;
+        boolean deltas = false;
+        for (int shape = 0; shape < x.scene.shapeCount(); shape++) {
+            deltas |= hasDeltasOnly(x, shape);
+        }
+        if (newJoints < 2
+                || newJoints > longest + 1
+                || (!deltas && newJoints < shortest + 1)
+                || edges < 1
+                || Math.abs(edges - (m - l)) > 8) {
             return 0;
         }
-        if (toLight && (oldEnd == 0 || edges == 1)) {
+        if (toLight && (m == 1 || edges == 1)) {
             // The light would stay, or the piece ends before it.
             return 0;
         }
-        if (newK == 1) {
+        if (newJoints == 2) {
             return toLight ? 1 : 0;
         }
-        int newVertices = edges - 1;
-        int mostFromLight = newVertices - (toLens ? 1 : 0);
+        int made = edges - 1;
+        int mostFromLight = made - (toLens ? 1 : 0);
         if (mostFromLight < 0) {
             return 0;
         }
-        return kept == 0 ? 1 : mostFromLight + 1;
+        return l == 1 ? 1 : mostFromLight + 1;
     }
 
-    private double lengths(int k, int kept, int oldEnd) {
+    private double lengths(PlainPath x, int joints, int l, int m) {
         double sum = 0;
-        for (int edges = 1; edges <= k + 20; edges++) {
-            if (ways(k, kept, oldEnd, edges) > 0) {
-                sum += entry(added, Math.abs(edges - (oldEnd - kept)));
+        for (int edges = 1; edges <= joints + 20; edges++) {
+            if (ways(x, joints, l, m, edges) > 0) {
+                sum += entry(added, Math.abs(edges - (m - l)));
             }
         }
         return sum;
     }
 
-    private double addition(PlainPath x, int kept, int oldEnd, int edges) {
-        return ways(x.k, kept, oldEnd, edges) == 0
-                ? 0
-                : entry(added, Math.abs(edges - (oldEnd - kept))) / lengths(x.k, kept, oldEnd);
+    private double addition(PlainPath x, List<Integer> joints, int l, int m, int edges) {
+        int count = joints.size() - 2;
+        return ways(x, count, l, m, edges) == 0 ? 0 : entry(added, Math.abs(edges - (m - l))) / lengths(x, count, l, m);
     }
 
-    private double deletion(PlainPath x, int kept, int oldEnd, boolean importance) {
+    private double deletion(PlainPath x, List<Integer> joints, int chosenL, int chosenM, boolean importance) {
+        int count = joints.size() - 2;
         double plainSum = 0;
         double importantSum = 0;
         double plain = 0;
         double important = 0;
-        for (int l = -1; l < x.k; l++) {
-            for (int m = l + 1; m <= x.k + 1; m++) {
-                if (lengths(x.k, l, m) == 0) {
+        for (int l = 0; l < count; l++) {
+            for (int m = l + 1; m <= count + 1; m++) {
+                if ((l == 0 && m == count + 1) || lengths(x, count, l, m) == 0 || !couldBeMade(x, joints, l, m)) {
                     continue;
                 }
                 double p = entry(deleted, m - l - 1);
                 double techniques = 0;
-                for (int s = l + 1; s <= m && s <= x.k; s++) {
-                    techniques += way(x, -1, x.k + 1, s);
+                for (int s = l; s < m && s < count; s++) {
+                    techniques += way(x, joints, 0, count + 1, s);
                 }
                 plainSum += p;
                 importantSum += p * techniques;
-                if (l == kept && m == oldEnd) {
+                if (l == chosenL && m == chosenM) {
                     plain = p;
                     important = p * techniques;
                 }
             }
         }
-        return importance && importantSum > 0
-                ? 0.5 * plain / plainSum + 0.5 * important / importantSum
-                : plain / plainSum;
+        if (chosenL == 0 && chosenM == count + 1) {
+            return plainSum == 0 ? 1 : whole;
+        }
+        return (1 - whole)
+                * (importance && importantSum > 0
+                        ? 0.5 * plain / plainSum + 0.5 * important / importantSum
+                        : plain / plainSum);
     }
 
-    private double construction(PlainPath y, int kept, int newEnd) {
-        int ways = ways(y.k, kept, newEnd, newEnd - kept);
+    /** Whether there is an edge in a piece at which walks could have been joined, or a light that one could have come to. */
+    private boolean couldBeMade(PlainPath x, List<Integer> joints, int l, int m) {
+        int ways = ways(x, joints.size() - 2, l, m, m - l);
+        boolean any = l == 0 && !x.deltaLight;
+        for (int way = l == 0 ? 1 : 0; way < ways; way++) {
+            any |= isSeam(x, joints, l + way);
+        }
+        return any;
+    }
+
+    private static boolean isSeam(PlainPath x, List<Integer> joints, int joint) {
+        int i = joints.get(joint);
+        return joints.get(joint + 1) == i + 1 && !x.isDelta(i) && !x.isDelta(i + 1);
+    }
+
+    private double construction(PlainPath y, List<Integer> joints, int l, int m) {
+        int ways = ways(y, joints.size() - 2, l, m, m - l);
         double sum = 0;
-        for (int l = 0; l < ways; l++) {
-            sum += way(y, kept, newEnd, l);
+        for (int way = 0; way < ways; way++) {
+            sum += way(y, joints, l, m, way);
         }
         return ways == 0 ? 0 : sum / ways;
     }
 
-    /** Density of the vertices between two when so many come from the light's side and the others from the side of the lens. */
-    private static double way(PlainPath y, int kept, int newEnd, int fromLight) {
-        int joint = kept + fromLight;
-        if (joint >= 0 && (y.isDelta(joint) || y.isDelta(joint + 1))) {
+    /** Density of the vertices between two joints when so many joints come from the light's side and the others from the side of the lens. */
+    private static double way(PlainPath y, List<Integer> joints, int l, int m, int fromLight) {
+        int joint = l + fromLight;
+        if (joint > 0 && !isSeam(y, joints, joint)) {
             return 0;
         }
+        int kept = joints.get(l);
+        int last = joints.get(joint);
         double density = 1;
-        if (kept == -1 && fromLight == 1) {
+        if (l == 0 && fromLight == 1) {
             density *= y.nextEvent;
         } else {
-            for (int i = kept + 1; i <= joint; i++) {
+            for (int i = kept + 1; i <= last; i++) {
                 density *= y.fromLight[i] * (i > 0 ? y.clear[i - 1] * y.opacity[i] : 1);
             }
         }
-        for (int i = newEnd - 1; i > joint; i--) {
+        for (int i = joints.get(m) - 1; i > last; i--) {
             density *= y.fromEye[i] * (i < y.k ? y.clear[i] * y.opacity[i] : 1);
         }
-        return joint < 0 ? density * landing(y) : density;
+        return joint == 0 ? density * landing(y) * ending(y, joints.get(2)) : density;
+    }
+
+    /** With which probability a walk goes on at all surfaces that shine and reflect, and ends at the light of a path. */
+    private static double ending(PlainPath y, int until) {
+        double probability = 1;
+        for (int i = 0; i < until; i++) {
+            int shape = y.points[i].shape;
+            if (shape >= 0 && !(i == 0 && y.infinite) && y.scene.lightOf(shape) >= 0 && hasDeltasOnly(y, shape)) {
+                probability /= 2;
+            }
+        }
+        return probability;
     }
 
     /** With which probability a walk that leaves the scene takes the environment of a path, if several lights are everywhere. */

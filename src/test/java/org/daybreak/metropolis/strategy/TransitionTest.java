@@ -52,6 +52,7 @@ class TransitionTest {
      */
     private static final double MOST_LEFT_OVER = 100;
 
+    private static final double WHOLE = 0.15;
     private static final double[] DELETED = {0.25, 0.5, 0.125};
     private static final double[] ADDED = {0.5, 0.15, 0.05};
     private static final double[] WEIGHTS = {1, 0.7, 0.5, 0.9, 1.1, 1.3};
@@ -83,7 +84,8 @@ class TransitionTest {
             "mirrored instances of glass",
             "materials 1",
             "materials 2",
-            "materials 4");
+            "materials 4",
+            "shining glass");
 
     static List<String> shipped() {
         return SHIPPED;
@@ -173,13 +175,13 @@ class TransitionTest {
             builder = new PathBuilder(scene, camera);
             PathLimits limits = new PathLimits(shortest, LONGEST + 1L, Integer.MAX_VALUE, Integer.MAX_VALUE);
             strategies = List.of(
-                    new BidirectionalMutationStrat(WEIGHTS[0], limits, DELETED, ADDED, importance),
+                    new BidirectionalMutationStrat(WEIGHTS[0], limits, WHOLE, DELETED, ADDED, importance),
                     new LensSubpathStrat(WEIGHTS[1], limits, new FilmStrata(camera.width(), this::pixel)),
                     new LensPerturbationStrat(WEIGHTS[2], SMALLEST, LARGEST),
                     new CausticPerturbationStrat(WEIGHTS[3], SMALLEST, LARGEST),
                     new MultiChainPerturbationStrat(WEIGHTS[4], SMALLEST, LARGEST, SMALLEST, LARGEST),
                     new ManifoldPerturbationStrat(WEIGHTS[5], SMALLEST, LARGEST, SMALLEST, LARGEST));
-            plain = new PlainTransitions(DELETED, ADDED, shortest, LONGEST, SMALLEST, LARGEST);
+            plain = new PlainTransitions(WHOLE, DELETED, ADDED, shortest, LONGEST, SMALLEST, LARGEST);
             factor = new ImageImportance(
                     2, 2, 0.5 * Math.max(camera.width(), camera.height()), new double[] {1, 2, 3, 0.5});
         }

@@ -31,6 +31,9 @@ public final class LightPath {
     /** Materials; none that scatters at the ends. */
     Bsdf[] bsdfs = new Bsdf[0];
 
+    /** Whether the material at a vertex scatters by other than delta lobes, too; false at the ends. */
+    boolean[] connectable = new boolean[0];
+
     /** Index of the delta lobe that the path takes at a vertex; -1 where it scatters otherwise, and at the ends. */
     int[] lobe = new int[0];
 
@@ -154,6 +157,7 @@ public final class LightPath {
             points[i] = new SurfacePoint();
             bsdfs[i] = NOTHING;
         }
+        connectable = Arrays.copyOf(connectable, capacity);
         lobe = Arrays.copyOf(lobe, capacity);
         opacity = Arrays.copyOf(opacity, capacity);
         dx = Arrays.copyOf(dx, capacity);
@@ -173,6 +177,7 @@ public final class LightPath {
     /** Sets a vertex that scatters by no delta lobe so far. */
     void setVertex(int vertex, Bsdf bsdf, double opaque) {
         bsdfs[vertex] = bsdf;
+        connectable[vertex] = bsdf.connectable();
         lobe[vertex] = -1;
         opacity[vertex] = opaque;
         lobeFromLight[vertex] = 1;
@@ -191,6 +196,7 @@ public final class LightPath {
             points[to + i].set(from.points[first + i]);
         }
         System.arraycopy(from.bsdfs, first, bsdfs, to, count);
+        System.arraycopy(from.connectable, first, connectable, to, count);
         System.arraycopy(from.lobe, first, lobe, to, count);
         System.arraycopy(from.opacity, first, opacity, to, count);
         System.arraycopy(from.dx, first, dx, to, count);
@@ -288,6 +294,7 @@ public final class LightPath {
         for (int i = 0; i < length; i++) {
             load(points[i], in);
             bsdfs[i] = in.next() == 0 ? NOTHING : scene.bsdf(points[i].shape);
+            connectable[i] = bsdfs[i].connectable();
             lobe[i] = in.nextInt();
             for (double[] array : arrays()) {
                 array[i] = in.nextDouble();

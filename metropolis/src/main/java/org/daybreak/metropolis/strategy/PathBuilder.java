@@ -1,5 +1,6 @@
 package org.daybreak.metropolis.strategy;
 
+import java.util.stream.IntStream;
 import org.daybreak.bidirectional.Contribution;
 import org.daybreak.core.camera.Camera;
 import org.daybreak.core.scene.RayCaster;
@@ -13,7 +14,7 @@ import org.daybreak.tracing.EmissionGuide;
  * differ in their conventions. One object per worker.
  *
  * <p>The order is always: place all new vertices (each knows its surface and, if it was sampled so, its delta lobe) by
- * {@link LightEnd}, {@link LensEnd}, {@link RandomWalk} and {@link ChainPieces};
+ * {@link LightEnd}, {@link LensEnd}, {@link RandomWalk}, {@link PieceBuilder} and {@link ChainPieces};
  * {@link MeasurementContribution#measure} what is between; {@link EdgeTracer#reveal} the edges that no ray was traced
  * along. What returns false has noted why.
  */
@@ -30,6 +31,10 @@ public final class PathBuilder {
     private final ChainPieces chains;
     private final MeasurementContribution contribution;
     private final PathAssembler assembler;
+    private final PieceBuilder pieces;
+    private final Joints jointsBefore = new Joints();
+    private final Joints jointsAfter = new Joints();
+    private final boolean hasDeltas;
     private final LightPath scratchPath = new LightPath();
 
     /** Creates what a worker needs. */
@@ -44,6 +49,10 @@ public final class PathBuilder {
         chains = new ChainPieces(caster, failure);
         contribution = new MeasurementContribution(scene, camera, guide, failure);
         assembler = new PathAssembler(scene, light, edges, contribution);
+        pieces = new PieceBuilder(scene, camera, light, lens, walk, failure);
+        hasDeltas = IntStream.range(0, scene.shapeCount())
+                .mapToObj(scene::bsdf)
+                .anyMatch(bsdf -> !bsdf.connectable() && bsdf.deltaLobes() > 0);
         scratchPath.reserve(LONGEST_WALK);
         scratchPath.length = LONGEST_WALK;
     }
@@ -95,6 +104,26 @@ public final class PathBuilder {
     /** Vertices between, one after another. */
     RandomWalk walk() {
         return walk;
+    }
+
+    /** Pieces from both of their ends. */
+    PieceBuilder pieces() {
+        return pieces;
+    }
+
+    /** Room for the joints of the path that a proposal leaves. */
+    Joints jointsBefore() {
+        return jointsBefore;
+    }
+
+    /** Room for the joints of the path that is proposed. */
+    Joints jointsAfter() {
+        return jointsAfter;
+    }
+
+    /** Whether paths can have vertices that are no {@link Joints}. */
+    boolean hasDeltas() {
+        return hasDeltas;
     }
 
     /** Chains of delta lobes between two vertices. */
