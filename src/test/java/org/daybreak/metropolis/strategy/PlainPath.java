@@ -186,14 +186,21 @@ final class PlainPath {
                         / Math.abs(seenFrom.geometricCosine(d[0], d[1], d[2]));
             }
         } else {
-            // The camera sees the point itself: at grazing angles that is not the ray's direction up to rounding.
-            double[] d = atInfinity ? edges[0] : between(p, lens);
+            double[] d = towardsLens();
             camera.rayDensity(lens.x, lens.y, lens.z, -d[0], -d[1], -d[2], ray);
             density = ray.densityDirection
                     * (atInfinity ? 1 : Math.abs(p.geometricCosine(d[0], d[1], d[2])) / squares[k - 1]);
         }
         fromEye[k - 1] = density;
         fromEyeByLobe[k - 1] = density;
+    }
+
+    /**
+     * Direction from x_{k−1} to the lens. The camera sees the point itself: it was kept off the edges of its triangle, so that is not the
+     * ray's direction up to rounding.
+     */
+    double[] towardsLens() {
+        return k == 1 && infinite ? edges[0] : between(points[k - 1], points[k]);
     }
 
     private static double[] between(SurfacePoint a, SurfacePoint b) {

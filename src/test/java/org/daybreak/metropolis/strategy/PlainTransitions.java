@@ -311,7 +311,7 @@ record PlainTransitions(
 
     /** Pixels per radian at the lens, where the path leaves it. */
     private static double pixelsPerRadian(PlainPath x) {
-        double[] d = x.edges[x.k - 1];
+        double[] d = x.towardsLens();
         CameraRay ray = new CameraRay();
         x.camera.rayDensity(x.points[x.k].x, x.points[x.k].y, x.points[x.k].z, -d[0], -d[1], -d[2], ray);
         return Math.sqrt(ray.densityDirection * x.camera.width() * x.camera.height());
