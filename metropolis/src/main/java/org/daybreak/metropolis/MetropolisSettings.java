@@ -83,7 +83,7 @@ public record MetropolisSettings(
         all.add(Parameter.real(
                 "wholePaths",
                 "Whole paths",
-                0.3,
+                0.15,
                 0.001,
                 1,
                 "Probability with which the bidirectional mutation replaces the whole path, and not a piece of it: chains leave by"

@@ -9,15 +9,24 @@ import org.daybreak.core.render.OrderedWork;
 final class Bootstrap extends OrderedWork<Bootstrap.Block> {
     private static final int BLOCK = 64;
 
+    /** Relative standard error with which b is known well enough, if time is short: no pixel will be known as well. */
+    private static final double GOOD_ENOUGH = 0.01;
+
     private final ChainWorkers workers;
     private final long seed;
     private final int candidates;
     private final BooleanSupplier stop;
+    private final BooleanSupplier hurry;
     private final Runnable watch;
     private final NonFiniteLog nonFinite;
     private double[] weights = new double[BLOCK];
     private int drawn;
     private int nextWorker;
+    private double sum;
+    private double squares;
+
+    /** Set by commits, read by those who ask whether to go on. */
+    private volatile boolean known;
 
     /** Consecutive candidates. */
     static final class Block {
@@ -43,6 +52,7 @@ final class Bootstrap extends OrderedWork<Bootstrap.Block> {
      * @param seed of the workers, for addresses
      * @param candidates how many to draw
      * @param stop ends it early: what was drawn until then counts
+     * @param hurry ends it as soon as b is known well
      * @param watch called several times a second
      * @param nonFinite receives candidates with a weight that is not finite; such a state is left out
      */
@@ -51,12 +61,14 @@ final class Bootstrap extends OrderedWork<Bootstrap.Block> {
             long seed,
             int candidates,
             BooleanSupplier stop,
+            BooleanSupplier hurry,
             Runnable watch,
             NonFiniteLog nonFinite) {
         this.workers = workers;
         this.seed = seed;
         this.candidates = candidates;
         this.stop = stop;
+        this.hurry = hurry;
         this.watch = watch;
         this.nonFinite = nonFinite;
     }
@@ -94,7 +106,7 @@ final class Bootstrap extends OrderedWork<Bootstrap.Block> {
     @Override
     protected boolean claim(long unit, Block block) {
         long first = unit * BLOCK;
-        if (first >= candidates || stop.getAsBoolean()) {
+        if (first >= candidates || stop.getAsBoolean() || (known && hurry.getAsBoolean())) {
             return false;
         }
         block.first = (int) first;
@@ -109,6 +121,12 @@ final class Bootstrap extends OrderedWork<Bootstrap.Block> {
         }
         System.arraycopy(block.weights, 0, weights, drawn, block.count);
         drawn += block.count;
+        for (int i = 0; i < block.count; i++) {
+            sum += block.weights[i];
+            squares += block.weights[i] * block.weights[i];
+        }
+        // (standard error / mean)², of so many that n and n − 1 are the same.
+        known = squares / (sum * sum) - 1.0 / drawn < GOOD_ENOUGH * GOOD_ENOUGH;
         nonFinite.addAll(block.nonFinite);
     }
 

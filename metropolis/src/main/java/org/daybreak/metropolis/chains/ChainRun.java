@@ -169,7 +169,7 @@ final class ChainRun {
     private void renderDirect(@Nullable RenderState start) {
         if (directPhase.isLeft(start)) {
             DirectPart.Samples samples = plan.ofSamples().isEmpty()
-                    ? direct.directAlone()
+                    ? direct.directAlone(plan.timeShare())
                     : new DirectPart.Samples(
                             whole.samples(plan.ofSamples(), direct.shortestOfChains()), plan.timeShare());
             RenderReport report = directPhase.render(samples, scene, camera, film, start, clock.seconds());

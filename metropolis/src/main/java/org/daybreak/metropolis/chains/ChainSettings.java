@@ -63,7 +63,8 @@ public record ChainSettings(
                     1,
                     Integer.MAX_VALUE,
                     "Samples per pixel of the direct lighting that is rendered apart. With a time limit, direct lighting"
-                            + " gets the share of the time that these samples have among samples and mutations."),
+                            + " gets the share of the time that these samples have among samples and mutations, or that a"
+                            + " pilot says if there is one."),
             Parameter.flag(
                     "twoStage",
                     "Two-stage rendering",
@@ -85,8 +86,8 @@ public record ChainSettings(
                     100_000_000,
                     "Number of bidirectional samples from which the brightness of the image is estimated, and from which"
                             + " the starts of the chains are drawn; 0 for an eighth of the mutations, at least 100000. Each"
-                            + " takes 8 bytes of memory. With a time limit they end after a fifth of the time. Does not"
-                            + " change the mean."));
+                            + " takes 8 bytes of memory. With a time limit they end after a fifth of the time, or a twentieth"
+                            + " if the brightness is known to 1 % by then. Does not change the mean."));
 
     /** Settings from parameter values. */
     public static ChainSettings of(ParameterValues values) {

@@ -21,6 +21,9 @@ final class ChainStartUp {
     /** Part of the time that is left which the candidates may take. */
     private static final double BOOTSTRAP_SHARE = 0.2;
 
+    /** What is enough of that if b is known well by then. */
+    private static final double ENOUGH = 0.25;
+
     private final ChainSettings settings;
     private final FilmSettings film;
     private final int moves;
@@ -113,12 +116,14 @@ final class ChainStartUp {
     }
 
     private StartDistribution candidates(ChainWorkers workers, long ownSeed, int count, double share) {
-        double end = clock.seconds() + clock.secondsLeft() * share;
+        double begin = clock.seconds();
+        double most = clock.secondsLeft() * share;
         return new Bootstrap(
                         workers,
                         ownSeed,
                         count,
-                        () -> clock.shouldStop() || clock.seconds() > end,
+                        () -> clock.shouldStop() || clock.seconds() - begin > most,
+                        () -> clock.seconds() - begin > ENOUGH * most,
                         progress::show,
                         progress.nonFinite())
                 .draw();

@@ -26,8 +26,10 @@ final class DirectPart {
     /** An eye subpath of so many vertices can follow all paths of two edges: it meets the emitter behind a mirror. */
     private static final int EYE_VERTICES = 3;
 
-    /** Seconds in which a virtual machine that has just started takes a first sample of each pixel. */
-    private static final double LEAST_SECONDS = 1;
+    /** Seconds in which a virtual machine that has just started takes a first sample of each pixel, and what it needs for each. */
+    private static final double LEAST_SECONDS = 0.3;
+
+    private static final double SECONDS_PER_PIXEL = 3e-6;
 
     /** A limit that is over before the first sample, when the pilot has taken all the time. */
     private static final double NO_SECONDS = 1e-9;
@@ -87,13 +89,18 @@ final class DirectPart {
         return isAll() ? 1 : settings.directShare();
     }
 
-    /** How it is rendered if samples take nothing else off the chains: by path tracing, with its part of the time. */
-    Samples directAlone() {
+    /**
+     * How it is rendered if samples take nothing else off the chains: by path tracing.
+     *
+     * @param timeShare part of the time; 0 for what the numbers of samples and mutations say
+     */
+    Samples directAlone(double timeShare) {
         int edges = maxDepth >= 0 ? Math.min(EDGES, maxDepth) : EDGES;
         PathTracerFactory factory = new PathTracerFactory();
         Map<String, String> parameters = Map.of("maxDepth", Integer.toString(edges), "splitting", "1");
         return new Samples(
-                factory.create(ParameterValues.parse(factory.parameters(), parameters, factory.id())), share());
+                factory.create(ParameterValues.parse(factory.parameters(), parameters, factory.id())),
+                timeShare > 0 && !isAll() ? timeShare : share());
     }
 
     /**
@@ -111,7 +118,7 @@ final class DirectPart {
      */
     RenderReport render(
             Samples samples, Scene scene, Camera camera, Film film, RenderContext context, double secondsGone) {
-        RenderBudget budget = budget(context.budget(), samples.timeShare, secondsGone);
+        RenderBudget budget = budget(context.budget(), samples.timeShare, secondsGone, film);
         return samples.renderer.render(
                 scene,
                 camera,
@@ -132,11 +139,13 @@ final class DirectPart {
      * Of the time, this part may take its share, and of short times so much that each pixel should get a sample. Of the square of the error half is for it, so that the chains can bring the whole
      * below the target: as its own relative error is that of a darker image, this is on the safe side.
      */
-    private RenderBudget budget(RenderBudget whole, double timeShare, double secondsGone) {
+    private RenderBudget budget(RenderBudget whole, double timeShare, double secondsGone, Film film) {
         boolean open = whole.samplesPerPixel() >= Integer.MAX_VALUE;
         double target = isAll() ? whole.targetError() : whole.targetError() * Math.sqrt(0.5);
         double left = Math.max(NO_SECONDS, whole.seconds() - secondsGone);
-        double seconds = Math.max(left * timeShare, Math.min(0.5 * left, LEAST_SECONDS));
+        double pixels = (double) film.settings().width() * film.settings().height();
+        double least = LEAST_SECONDS + SECONDS_PER_PIXEL * pixels;
+        double seconds = Math.max(left * timeShare, Math.min(0.5 * left, least));
         return new RenderBudget(open ? Integer.MAX_VALUE : settings.directSamples(), seconds, target);
     }
 

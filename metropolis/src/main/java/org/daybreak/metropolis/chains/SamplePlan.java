@@ -29,7 +29,7 @@ import java.util.Map;
  *
  * @param ofSamples kinds of paths that are the samples'; none if chains find all but what is lit directly
  * @param gain foreseen: squared error of chains alone over that of both in the same time
- * @param timeShare part of the time that is for samples
+ * @param timeShare part of the time that is for samples, of direct lighting alone if no other kinds are theirs; 0 if it is not known
  */
 record SamplePlan(PatternSet ofSamples, double gain, double timeShare) {
     /** Samples have nothing to do with it. */
@@ -58,6 +58,14 @@ record SamplePlan(PatternSet ofSamples, double gain, double timeShare) {
 
     /** Chains are to find what no sample of the pilot has shown, too, and take their time to begin. */
     private static final double MOST_TIME = 0.8;
+
+    /** Rays of a sample of direct lighting alone that are not for occlusion. */
+    private static final double RAYS_OF_DIRECT = 2;
+
+    /** Bounds of the time for direct lighting alone: the pilot may have missed what is small and bright. */
+    private static final double LEAST_TIME_OF_DIRECT = 0.04;
+
+    private static final double MOST_TIME_OF_DIRECT = 0.5;
 
     /** Squared errors are relative to L² + (0.3 of the mean)²: nobody sees the noise of what is black. */
     private static final double FLOOR = 0.3;
@@ -206,7 +214,7 @@ record SamplePlan(PatternSet ofSamples, double gain, double timeShare) {
             Halves ofAbsolute = new Halves(paths.surveys());
             double restBrightness = brightness;
             double restRelative = relative;
-            SamplePlan best = CHAINS_ALONE;
+            SamplePlan best = new SamplePlan(PatternSet.NONE, 1, timeOfDirect(brightness * relative));
             for (int count = 1; count <= kinds.size() && kinds.get(count - 1).isForSamples(); count++) {
                 Kind kind = kinds.get(count - 1);
                 for (int path : kind.paths) {
@@ -233,6 +241,21 @@ record SamplePlan(PatternSet ofSamples, double gain, double timeShare) {
                 }
             }
             return best;
+        }
+
+        /** Part of the time that direct lighting alone should have. */
+        private double timeOfDirect(double ofChains) {
+            Halves halves = new Halves(paths.surveys());
+            for (int i = 0; i < paths.size(); i++) {
+                if (paths.pattern(i) == PilotWorker.SHORT && paths.by(i) != PilotWorker.By.CANDIDATES) {
+                    halves.add(paths.survey(i), signed(i) / scale[i]);
+                }
+            }
+            double cost = SPREAD * PilotWorker.BLOCK * STEPS_PER_RAY * RAYS_OF_DIRECT;
+            double samples = Math.sqrt(cost * halves.variance());
+            double chains = Math.sqrt(STEPS_PER_POINT * ofChains);
+            double share = samples == 0 ? 0 : samples / (samples + chains);
+            return Math.min(MOST_TIME_OF_DIRECT, Math.max(LEAST_TIME_OF_DIRECT, share));
         }
 
         /** Error of chains alone over that of both. */

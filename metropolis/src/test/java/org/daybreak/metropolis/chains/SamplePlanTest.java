@@ -63,7 +63,7 @@ class SamplePlanTest {
 
     @Test
     void chainsAloneIfSamplesFindNothingWell() {
-        assertSame(SamplePlan.CHAINS_ALONE, plan(0, 0.5, 0.5, Sharing.AUTO));
+        assertTrue(plan(0, 0.5, 0.5, Sharing.AUTO).ofSamples().isEmpty());
         SamplePlan forced = plan(0, 0.5, 0.5, Sharing.ALWAYS);
         assertTrue(forced.ofSamples().contains(RARE));
         assertFalse(forced.ofSamples().contains(MISSED));
@@ -73,7 +73,7 @@ class SamplePlanTest {
     /** A little of what samples find well does not pay for the samples. */
     @Test
     void chainsAloneIfThereIsLittleToGain() {
-        assertSame(SamplePlan.CHAINS_ALONE, plan(0.05, 0.5, 0.45, Sharing.AUTO));
+        assertTrue(plan(0.05, 0.5, 0.45, Sharing.AUTO).ofSamples().isEmpty());
     }
 
     @Test
@@ -83,7 +83,7 @@ class SamplePlanTest {
 
     @Test
     void chainsAloneInTheDark() {
-        assertSame(SamplePlan.CHAINS_ALONE, plan(0, 0, 0, Sharing.ALWAYS));
+        assertTrue(plan(0, 0, 0, Sharing.ALWAYS).ofSamples().isEmpty());
     }
 
     /** What three samples have found and nothing contradicts may be noise that is not seen. */
@@ -127,5 +127,33 @@ class SamplePlanTest {
         double share = Math.sqrt(floored) / (Math.sqrt(floored) + Math.sqrt(chains / 1.09));
         assertEquals(share, plan.timeShare(), 1e-9);
         assertEquals(5 / (samples / share + chains / (1 - share)), plan.gain(), 1e-9);
+    }
+
+    /** Direct lighting that scatters by a known variance beside chains with luminance 1. */
+    @Test
+    void directLightingGetsTheTimeOfTheFormula() {
+        assertEquals(timeOfDirect(0.3), shareBesideChains(0.3), 1e-9);
+        assertEquals(0.04, shareBesideChains(0), 1e-9);
+        assertEquals(0.04, shareBesideChains(0.01), 1e-9);
+        assertEquals(0.5, shareBesideChains(20), 1e-9);
+    }
+
+    private static double timeOfDirect(double difference) {
+        // 0.5·4 samples of 0.45·2 steps; τ = 5. Both are relative to the same luminance.
+        double samples = 0.5 * 4 * 0.45 * 2 * difference * difference / 2;
+        return Math.sqrt(samples) / (Math.sqrt(samples) + Math.sqrt(5));
+    }
+
+    private double shareBesideChains(double difference) {
+        paths.clear();
+        for (int i = 0; i < grid.surveys(); i++) {
+            add(MISSED, grid.column(i), grid.row(i), 1, By.CANDIDATES);
+            add(PilotWorker.SHORT, grid.column(i), grid.row(i), 21, By.FIRST);
+            add(PilotWorker.SHORT, grid.column(i), grid.row(i), 21 - difference, By.SECOND);
+            paths.endSurvey();
+        }
+        SamplePlan plan = SamplePlan.of(grid, paths, Sharing.AUTO);
+        assertTrue(plan.ofSamples().isEmpty());
+        return plan.timeShare();
     }
 }
