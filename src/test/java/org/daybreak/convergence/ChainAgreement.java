@@ -1,7 +1,14 @@
 package org.daybreak.convergence;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import java.util.List;
 import java.util.Map;
+import org.daybreak.antialiasing.SobolSampling;
+import org.daybreak.core.color.Spectrum;
+import org.daybreak.core.film.Film;
+import org.daybreak.core.film.FilmImage;
+import org.daybreak.core.testing.ZTest;
 import org.daybreak.core.render.Renderer;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.scene.SceneCompiler;
@@ -23,6 +30,12 @@ final class ChainAgreement {
 
     private static final double SIGNIFICANCE = 1e-4;
     private static final int RUNS = 16;
+    private static final int BRIGHTNESS_RUNS = 32;
+
+    /** Quantiles 5e-5 and 1 − 5e-5 of χ² over its 31 degrees of freedom. */
+    private static final double LEAST_RATIO = 0.297;
+
+    private static final double LARGEST_RATIO = 2.303;
 
     private ChainAgreement() {}
 
@@ -55,6 +68,54 @@ final class ChainAgreement {
         String row = name + ", " + renderer + ", " + settings + " " + common;
         int tile = Math.min(scene.film().width(), scene.film().height()) / 2;
         samples.assertAgreement(row, chains, tile, detectable, SIGNIFICANCE);
+    }
+
+    /**
+     * The brightness b that chains report, from candidates of their own in each run, against the mean luminance of bidirectional path tracing;
+     * and its reported standard error against how it scatters.
+     *
+     * @param detectable relative error of b that is found out
+     * @param knownError whether so few candidates tell their own error: where light is found by chance, most runs know nothing of it
+     */
+    static void checkBrightness(String name, int samplesPerPixel, double detectable, boolean knownError)
+            throws SceneException {
+        Scene scene = scene(name);
+        Renderer chains = Rendering.renderer(
+                "metropolis",
+                Rendering.parameters("seedPaths=1 mutationsPerPixel=1 bootstrapSamples=20000 separateDirect=false"));
+        Renderer paths = Rendering.renderer("bidirectional");
+        double[][] reported = new double[BRIGHTNESS_RUNS][1];
+        double[][] brighter = new double[BRIGHTNESS_RUNS][1];
+        double[][] rendered = new double[BRIGHTNESS_RUNS][1];
+        double squares = 0;
+        for (int i = 0; i < BRIGHTNESS_RUNS; i++) {
+            Map<String, Double> figures = Rendering.render(
+                            chains, scene, new Film(scene.film()), 7000L + i, 1, 1, new SobolSampling())
+                    .figures();
+            reported[i][0] = figures.getOrDefault("b", Double.NaN);
+            brighter[i][0] = (1 + detectable) * reported[i][0];
+            double error = figures.getOrDefault("bStandardError", Double.NaN);
+            squares += error * error;
+            rendered[i][0] = luminance(Rendering.render(paths, scene, 8000L + i, samplesPerPixel));
+        }
+        double p = ZTest.tilesOfRuns(rendered, reported)[0];
+        assertTrue(p > SIGNIFICANCE, () -> name + ": b is not the mean luminance, p = " + p);
+        double changed = ZTest.tilesOfRuns(rendered, brighter)[0];
+        assertTrue(changed < SIGNIFICANCE, () -> name + ": a wrong b is not found out, p = " + changed);
+        if (knownError) {
+            double ratio = Runs.moments(reported, 0).variance() * BRIGHTNESS_RUNS / squares;
+            assertTrue(
+                    ratio > LEAST_RATIO && ratio < LARGEST_RATIO,
+                    () -> name + ": variance of b over what its standard error says: " + ratio);
+        }
+    }
+
+    private static double luminance(FilmImage image) {
+        double sum = 0;
+        for (int i = 0; i < image.channel("R").length; i++) {
+            sum += Spectrum.luminance(image.channel("R")[i], image.channel("G")[i], image.channel("B")[i]);
+        }
+        return sum / image.channel("R").length;
     }
 
     private static Scene scene(String name) throws SceneException {

@@ -7,6 +7,7 @@ import org.daybreak.scenes.description.SceneException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
@@ -103,6 +104,26 @@ class MetropolisAgreementTest {
     void agreesCloselyWithBidirectional(String name, String settings, int mutations, double detectable)
             throws SceneException {
         check(name, "seedPaths=200 bootstrapSamples=20000 " + settings, mutations, 128, detectable);
+    }
+
+    /**
+     * Compares b.
+     *
+     * @param samplesPerPixel of bidirectional path tracing
+     * @param detectable relative error that is found out
+     * @param knownError whether its standard error is to be right, too
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "cornell_spheres, 64, 0.05, true",
+        "gold_ring, 256, 1, false",
+        "veach_room, 64, 0.05, true",
+        "door_ajar, 64, 0.1, true",
+        "lights of every kind, 16, 0.05, true"
+    })
+    void brightnessIsTheMeanLuminance(String name, int samplesPerPixel, double detectable, boolean knownError)
+            throws SceneException {
+        ChainAgreement.checkBrightness(name, samplesPerPixel, detectable, knownError);
     }
 
     private static void check(String name, String settings, int mutations, int samplesPerPixel, double detectable)
