@@ -8,11 +8,11 @@ import org.daybreak.antialiasing.SobolSampling;
 import org.daybreak.core.color.Spectrum;
 import org.daybreak.core.film.Film;
 import org.daybreak.core.film.FilmImage;
-import org.daybreak.core.testing.ZTest;
 import org.daybreak.core.render.Renderer;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.core.scene.SceneCompiler;
 import org.daybreak.core.scene.SceneGraph;
+import org.daybreak.core.testing.ZTest;
 import org.daybreak.scenes.description.SceneException;
 
 /**
