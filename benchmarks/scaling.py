@@ -49,11 +49,11 @@ def time_per_ray(java, largest):
     figure.savefig(os.path.join(IMAGES, "time_per_ray.png"), dpi=100)
 
 
-def rate(scene, threads, seconds):
+def rate(scene, threads, seconds, options):
     """Samples per second once all is compiled: the median of what was done in each second from the fifth on."""
     with tempfile.TemporaryDirectory() as folder:
         command = [os.path.join(ROOT, "daybreak"), "render", os.path.join(ROOT, "scenes", scene, "scene.xml")]
-        command += ["-o", os.path.join(folder, "out.exr"), "--threads", str(threads), "--time", str(seconds), "--progress", "json"]
+        command += ["-o", os.path.join(folder, "out.exr"), "--threads", str(threads), "--time", str(seconds), "--progress", "json", *options]
         lines = subprocess.run(command, check=True, stderr=subprocess.PIPE, text=True).stderr.splitlines()
     rates, last = [], None
     for event in (json.loads(line) for line in lines if line.startswith("{")):
@@ -67,13 +67,13 @@ def rate(scene, threads, seconds):
     return statistics.median(rates)
 
 
-def rates(scene, seconds, processes, threads):
+def rates(scene, seconds, processes, threads, options):
     """Sum over processes that run at the same time."""
     with concurrent.futures.ThreadPoolExecutor(processes) as pool:
-        return sum(pool.map(lambda _: rate(scene, threads, seconds), range(processes)))
+        return sum(pool.map(lambda _: rate(scene, threads, seconds, options), range(processes)))
 
 
-def thread_speedup(scenes, runs, seconds):
+def thread_speedup(scenes, runs, seconds, options):
     """Two threads over one; and two processes of one thread each, which share nothing but the machine: what it can give."""
     kinds = {"2 threads": (1, 2), "2 processes": (2, 1)}
     figure, axes = plt.subplots(figsize=(6.4, 0.8 + 0.6 * len(kinds) * len(scenes)))
@@ -81,9 +81,9 @@ def thread_speedup(scenes, runs, seconds):
     for scene in scenes:
         ratios = {kind: [] for kind in kinds}
         for _ in range(runs):
-            one = rates(scene, seconds, 1, 1)
+            one = rates(scene, seconds, 1, 1, options)
             for kind, (processes, threads) in kinds.items():
-                ratios[kind].append(rates(scene, seconds, processes, threads) / one)
+                ratios[kind].append(rates(scene, seconds, processes, threads, options) / one)
             print(f"{scene}: {one:.4g} samples/s with 1 thread; " + ", ".join(f"{k} {r[-1]:.3f}" for k, r in ratios.items()), flush=True)
         for kind, values in ratios.items():
             print(f"{scene}: {kind}: median {statistics.median(values):.3f} of {runs}", flush=True)
@@ -95,7 +95,8 @@ def thread_speedup(scenes, runs, seconds):
     axes.axvline(2, color="grey", linewidth=0.8)
     axes.set_xlabel("samples per second over those of one thread; each run and their median")
     figure.tight_layout()
-    figure.savefig(os.path.join(IMAGES, "thread_speedup.png"), dpi=100)
+    if not options:
+        figure.savefig(os.path.join(IMAGES, "thread_speedup.png"), dpi=100)
 
 
 def main():
@@ -105,13 +106,14 @@ def main():
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--seconds", type=float, default=16, help="length of each render with threads")
     parser.add_argument("--scenes", default="cornell_spheres,door_ajar")
+    parser.add_argument("--option", action="append", default=[], help="further option for daybreak render; then no plot of threads is made")
     parser.add_argument("--only", choices=["rays", "threads"])
     arguments = parser.parse_args()
     os.makedirs(IMAGES, exist_ok=True)
     if arguments.only != "threads":
         time_per_ray(arguments.java, arguments.largest)
     if arguments.only != "rays":
-        thread_speedup(arguments.scenes.split(","), arguments.runs, arguments.seconds)
+        thread_speedup(arguments.scenes.split(","), arguments.runs, arguments.seconds, arguments.option)
 
 
 if __name__ == "__main__":
