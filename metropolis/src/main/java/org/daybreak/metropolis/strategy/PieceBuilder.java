@@ -132,7 +132,7 @@ final class PieceBuilder {
             if (first == 0) {
                 return failure.because(Outcome.BLACK);
             }
-            met = first == last && atLens
+            met = (first == last && atLens)
                     ? lens.look(
                             fromLens,
                             last,
@@ -144,7 +144,8 @@ final class PieceBuilder {
             if (!met) {
                 return landing && left == 1 && failure.escaped();
             }
-            if (landing && left == 1 ? landsOn(first, random) : fromLens.connectable[first]) {
+            boolean counts = (landing && left == 1) ? landsOn(first, random) : fromLens.connectable[first];
+            if (counts) {
                 left--;
             }
         }
