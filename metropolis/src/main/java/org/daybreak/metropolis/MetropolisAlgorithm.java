@@ -132,7 +132,12 @@ final class MetropolisAlgorithm implements ChainAlgorithm {
                         case "caustic" -> new CausticPerturbationStrat(weight, settings.smallestAngle(), angle);
                         case "multiChain" ->
                             new MultiChainPerturbationStrat(
-                                    weight, settings.smallestJump(), jump, settings.smallestAngle(), angle);
+                                    weight,
+                                    settings.smallestJump(),
+                                    jump,
+                                    settings.smallestAngle(),
+                                    angle,
+                                    settings.shortEdges());
                         default ->
                             new ManifoldPerturbationStrat(
                                     weight, settings.smallestJump(), jump, settings.smallestAngle(), angle);

@@ -25,6 +25,7 @@ import org.daybreak.metropolis.chains.Sharing;
  * @param largestJump r₂: largest move of the image point, as part of the image that a disk of this radius covers
  * @param smallestAngle the same for tilted directions, in pixels that they correspond to
  * @param largestAngle the same for tilted directions, as part of the image
+ * @param shortEdges below which part of the way to the lens multi-chain perturbations go on over an edge
  * @param expectedValues whether each step deposits both of its paths
  * @param sharing whether bidirectional samples take a part of the light off the chains
  */
@@ -40,6 +41,7 @@ public record MetropolisSettings(
         double largestJump,
         double smallestAngle,
         double largestAngle,
+        double shortEdges,
         boolean expectedValues,
         Sharing sharing) {
     /** Names of the strategies. */
@@ -135,6 +137,14 @@ public record MetropolisSettings(
                 1,
                 "Largest tilt of a direction, as the part of the image that a disk with the radius of the move it"
                         + " corresponds to covers."));
+        all.add(Parameter.real(
+                "shortEdges",
+                "Short edges",
+                0.2,
+                0,
+                1,
+                "Below this part of the way to the lens an edge between two rough surfaces counts as a chain for the"
+                        + " multi-chain perturbation: so paths move in the corners of rooms. 0 for no edge."));
         all.add(Parameter.flag(
                 "expectedValues",
                 "Expected values",
@@ -192,6 +202,7 @@ public record MetropolisSettings(
                 values.real("largestJump"),
                 values.real("smallestAngle"),
                 values.real("largestAngle"),
+                values.real("shortEdges"),
                 values.flag("expectedValues"),
                 Sharing.valueOf(values.choice("sharing").toUpperCase(Locale.ROOT)));
     }

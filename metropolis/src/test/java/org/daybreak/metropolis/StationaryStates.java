@@ -83,7 +83,7 @@ final class StationaryStates {
             case 'L' -> new LensPerturbationStrat(1.5, smallest, largest);
             case 'F' -> new ManifoldPerturbationStrat(0.6, smallest, largest, smallest, 0.7 * largest);
             case 'C' -> new CausticPerturbationStrat(0.7, smallest, largest);
-            case 'M' -> new MultiChainPerturbationStrat(1.2, smallest, largest, smallest, 0.7 * largest);
+            case 'M' -> new MultiChainPerturbationStrat(1.2, smallest, largest, smallest, 0.7 * largest, 0.6);
             default -> throw new IllegalArgumentException("no strategy " + letter);
         };
     }

@@ -18,9 +18,17 @@ import org.daybreak.core.material.TransportMode;
  * @param longest largest number of edges
  * @param smallest r₁ in pixels, of film positions and angles
  * @param largest r₂ in pixels, alike
+ * @param shortEdges edges shorter than this part of the way to the lens are moved like chains
  */
 record PlainTransitions(
-        double whole, double[] deleted, double[] added, int shortest, int longest, double smallest, double largest) {
+        double whole,
+        double[] deleted,
+        double[] added,
+        int shortest,
+        int longest,
+        double smallest,
+        double largest,
+        double shortEdges) {
     // Which paths
 
     /** The first vertex from one towards the light that is no delta, 0 for the light. */
@@ -40,7 +48,7 @@ record PlainTransitions(
             case "caustic" ->
                 x.k >= 2 && d == x.k - 1 && !x.camera.isParallel() && (nextPlain(x, d) > 0 || !x.infinite);
             case "multiChain" -> {
-                if (d == 0 || !x.isDelta(d - 1) || x.camera.isParallel()) {
+                if (d == 0 || !isMovedOn(x, d) || x.camera.isParallel()) {
                     yield false;
                 }
                 int last = lastOfChains(x);
@@ -75,9 +83,13 @@ record PlainTransitions(
         return b > 0 && b < x.k && x.isDelta(b + step);
     }
 
-    private static int lastOfChains(PlainPath x) {
+    private boolean isMovedOn(PlainPath x, int plain) {
+        return x.isDelta(plain - 1) || length(x, plain - 1, plain) < shortEdges * length(x, plain, x.k);
+    }
+
+    private int lastOfChains(PlainPath x) {
         int d = nextPlain(x, x.k);
-        while (d > 0 && x.isDelta(d - 1)) {
+        while (d > 0 && isMovedOn(x, d)) {
             d = nextPlain(x, d);
         }
         return d;
@@ -407,9 +419,13 @@ record PlainTransitions(
         int d = nextPlain(x, x.k);
         double density = lens(y, d);
         int last = lastOfChains(x);
+        if (last != lastOfChains(y)) {
+            return 0;
+        }
         while (d > last) {
             int next = nextPlain(x, d);
-            double scale = length(x, d, x.k) / length(x, next, d) / pixelsPerRadian(x);
+            double ratio = next < d - 1 ? length(x, d, x.k) / length(x, next, d) : 1 / shortEdges;
+            double scale = ratio / pixelsPerRadian(x);
             density *= tilt(x.edges[d - 1], y.edges[d - 1], scale) * y.perVertex(d - 1, d - 1);
             density *= y.clear[d - 1] * y.opacity[d - 1];
             for (int i = d - 2; i >= next; i--) {

@@ -59,6 +59,7 @@ class TransitionTest {
     private static final int SIZE = 32;
     private static final int LONGEST = 9;
     private static final double SMALLEST = 0.1;
+    private static final double SHORT = 0.3;
     private static final double LARGEST = Math.sqrt(0.05 * SIZE * SIZE / Math.PI);
     private static final int STEPS_OF_CHAIN = 100;
     private static final int PROPOSALS = 2500;
@@ -179,9 +180,9 @@ class TransitionTest {
                     new LensSubpathStrat(WEIGHTS[1], limits, new FilmStrata(camera.width(), this::pixel)),
                     new LensPerturbationStrat(WEIGHTS[2], SMALLEST, LARGEST),
                     new CausticPerturbationStrat(WEIGHTS[3], SMALLEST, LARGEST),
-                    new MultiChainPerturbationStrat(WEIGHTS[4], SMALLEST, LARGEST, SMALLEST, LARGEST),
+                    new MultiChainPerturbationStrat(WEIGHTS[4], SMALLEST, LARGEST, SMALLEST, LARGEST, SHORT),
                     new ManifoldPerturbationStrat(WEIGHTS[5], SMALLEST, LARGEST, SMALLEST, LARGEST));
-            plain = new PlainTransitions(WHOLE, DELETED, ADDED, shortest, LONGEST, SMALLEST, LARGEST);
+            plain = new PlainTransitions(WHOLE, DELETED, ADDED, shortest, LONGEST, SMALLEST, LARGEST, SHORT);
             factor = new ImageImportance(
                     2, 2, 0.5 * Math.max(camera.width(), camera.height()), new double[] {1, 2, 3, 0.5});
         }
