@@ -63,7 +63,7 @@ public final class ChainRenderer implements Renderer {
     @Override
     public RenderReport render(Scene scene, Camera camera, Film film, RenderContext context) {
         Reports.checkFilm(camera, film);
-        return new ChainRun(algorithm, settings, direct, scene, camera, film, context).run();
+        return ChainRun.of(algorithm, settings, direct, scene, camera, film, context);
     }
 
     @Override

@@ -23,6 +23,12 @@ final class ChainRun {
     private static final String POSITION = "chains";
 
     private final ChainAlgorithm whole;
+
+    /** With the target that the plan leaves to chains. */
+    private final ChainAlgorithm algorithm;
+
+    private final SamplePlan plan;
+    private final Amounts amounts;
     private final ChainSettings settings;
     private final DirectPart direct;
     private final Scene scene;
@@ -47,11 +53,6 @@ final class ChainRun {
     private final long resumedSamples;
     private final double resumedSeconds;
     private List<FilmSettings.Crop> regions = List.of();
-    private SamplePlan plan = SamplePlan.CHAINS_ALONE;
-
-    /** With the target that the plan leaves to chains. */
-    private ChainAlgorithm algorithm;
-
     private Brightness brightness = Brightness.UNKNOWN;
     private ImageImportance importance = ImageImportance.UNIFORM;
     private Chain[] chains = new Chain[0];
@@ -61,33 +62,37 @@ final class ChainRun {
     /** Set by commits, read by those who ask whether to go on. */
     private volatile boolean targetReached;
 
-    ChainRun(
+    private ChainRun(
             ChainAlgorithm algorithm,
+            SamplePlan plan,
             ChainSettings settings,
             DirectPart direct,
             Scene scene,
             Camera camera,
             Film film,
-            RenderContext context) {
+            RenderContext context,
+            RenderClock clock) {
         whole = algorithm;
-        this.algorithm = algorithm;
+        this.plan = plan;
+        this.algorithm = plan.ofSamples().isEmpty() ? algorithm : algorithm.remainder(plan.ofSamples());
         this.settings = settings;
         this.direct = direct;
         this.scene = scene;
         this.camera = camera;
         this.film = film;
         this.context = context;
-        clock = new RenderClock(context);
+        this.clock = clock;
         checkpoints = new Checkpoints(context, clock);
         pixels = (long) film.settings().width() * film.settings().height();
         limited = context.budget().samplesPerPixel() < Integer.MAX_VALUE;
-        long total = limited ? settings.steps(pixels) : Long.MAX_VALUE;
+        amounts = Amounts.of(settings, plan, pixels);
+        long total = limited ? amounts.steps() : Long.MAX_VALUE;
         lanes = new ChainLanes((int) Math.min(settings.seedPaths(), total), pixels, context.part());
         if (!direct.isAll()) {
             lanes.check(context.part(), pixels);
         }
         schedule = new RoundSchedule(total, lanes.chains(), lanes.first(), lanes.end());
-        tally = new ChainTally(algorithm, film.settings(), lanes);
+        tally = new ChainTally(this.algorithm, film.settings(), lanes);
         RenderState start = context.start();
         resumedSamples = start == null ? 0 : start.samples();
         resumedSeconds = start == null ? 0 : start.seconds();
@@ -95,15 +100,31 @@ final class ChainRun {
         progress = new ChainProgress(clock, reporter, pixels);
         directPhase = new DirectPhase(direct, context);
         startUp = new ChainStartUp(
-                settings, film.settings(), algorithm.moves().size(), context.seed(), this::newWorkers, clock, progress);
+                settings,
+                film.settings(),
+                this.algorithm.moves().size(),
+                context.seed(),
+                this::newWorkers,
+                clock,
+                progress);
         film.useDependentSplats();
     }
 
     /** Samples of the direct light and steps of the chains that will be taken if nothing stops the render. */
     private double allSamples() {
         double mutations = limited ? schedule.steps() : (double) Integer.MAX_VALUE * pixels;
-        double share = direct.exists() ? direct.share() : 0;
-        return share == 1 ? (double) settings.directSamples() * pixels : mutations / (1 - share);
+        return direct.isAll() ? (double) amounts.samplesPerPixel() * pixels : mutations / (1 - shareOfSamples());
+    }
+
+    /** What part of all samples and steps are samples. */
+    private double shareOfSamples() {
+        if (!direct.exists()) {
+            return 0;
+        }
+        if (direct.isAll()) {
+            return 1;
+        }
+        return limited ? amounts.shareOfSamples(pixels) : settings.directShare();
     }
 
     private ChainWorkers newWorkers(long seed) {
@@ -113,32 +134,50 @@ final class ChainRun {
         return workers;
     }
 
-    RenderReport run() {
+    /** Renders. */
+    static RenderReport of(
+            ChainAlgorithm algorithm,
+            ChainSettings settings,
+            DirectPart direct,
+            Scene scene,
+            Camera camera,
+            Film film,
+            RenderContext context) {
+        RenderClock clock = new RenderClock(context);
+        SamplePlan plan = hasPilot(algorithm, direct, context)
+                ? SamplePilot.plan(
+                        seed -> algorithm.newPilotWorker(scene, camera, seed, direct.shortestOfChains()),
+                        film.settings(),
+                        context,
+                        clock,
+                        algorithm.sharing())
+                : SamplePlan.CHAINS_ALONE;
+        return new ChainRun(algorithm, plan, settings, direct, scene, camera, film, context, clock).run();
+    }
+
+    /** A pilot is the same for each part of a render and whenever it is resumed, unless that is complete. */
+    private static boolean hasPilot(ChainAlgorithm algorithm, DirectPart direct, RenderContext context) {
+        RenderState start = context.start();
+        boolean isComplete = start != null && start.complete();
+        return !isComplete && direct.exists() && !direct.isAll() && algorithm.sharing() != Sharing.NEVER;
+    }
+
+    private RenderReport run() {
+        if (hasPilot(whole, direct, context)) {
+            progress.endPhase("pilot");
+        }
         RenderState start = context.start();
         if (start != null && start.complete()) {
             // Nothing follows a complete render, and one that was merged from parts has no position.
             restoreFilm(start);
             complete = true;
         } else {
-            makePlan();
             proceed(start);
         }
         if (begun) {
             moveChains();
         }
         return finish();
-    }
-
-    /** The same for each part of a render and whenever it is resumed. */
-    private void makePlan() {
-        if (direct.exists() && !direct.isAll() && whole.sharing() != Sharing.NEVER) {
-            plan = startUp.plan(
-                    seed -> whole.newPilotWorker(scene, camera, seed, direct.shortestOfChains()),
-                    context.threads(),
-                    whole.sharing());
-            algorithm = whole.remainder(plan.ofSamples());
-            progress.endPhase("pilot");
-        }
     }
 
     private void proceed(@Nullable RenderState start) {
@@ -169,9 +208,12 @@ final class ChainRun {
     private void renderDirect(@Nullable RenderState start) {
         if (directPhase.isLeft(start)) {
             DirectPart.Samples samples = plan.ofSamples().isEmpty()
-                    ? direct.directAlone(plan.timeShare())
+                    ? direct.directAlone(plan.timeShare(), amounts.samplesPerPixel(), shareOfSamples())
                     : new DirectPart.Samples(
-                            whole.samples(plan.ofSamples(), direct.shortestOfChains()), plan.timeShare());
+                            whole.samples(plan.ofSamples(), direct.shortestOfChains()),
+                            plan.timeShare(),
+                            amounts.samplesPerPixel(),
+                            shareOfSamples());
             RenderReport report = directPhase.render(samples, scene, camera, film, start, clock.seconds());
             progress.addDirect(report);
             warnings.addAll(report.warnings());

@@ -10,7 +10,7 @@ import org.daybreak.core.render.ParameterValues;
  * @param seedPaths number of chains
  * @param mutationsPerPixel steps of all chains together per pixel of the whole film
  * @param separateDirect whether paths of at most two edges are rendered apart, by ordinary sampling
- * @param directSamples samples per pixel of that part
+ * @param directSamples samples per pixel of that part; 0 to go by the number of steps
  * @param twoStage whether a first, short run makes a rough image by which the second spreads its steps more evenly
  * @param reduction edge in pixels of the cells of the rough image
  * @param bootstrapSamples number of candidates for the starts of the chains; 0 to go by the number of steps
@@ -25,6 +25,9 @@ public record ChainSettings(
         int bootstrapSamples) {
     /** Name of the parameter that stands for the samples per pixel of other renderers. */
     public static final String MUTATIONS_PER_PIXEL = "mutationsPerPixel";
+
+    /** Samples per pixel of direct lighting for each mutation per pixel, if nothing else says how many. */
+    static final double SAMPLES_PER_MUTATION = 0.16;
 
     private static final int LEAST_CANDIDATES = 100_000;
     private static final int MOST_CANDIDATES = 20_000_000;
@@ -59,12 +62,13 @@ public record ChainSettings(
             Parameter.integer(
                     "directSamples",
                     "Samples per pixel of direct lighting",
-                    16,
-                    1,
+                    0,
+                    0,
                     Integer.MAX_VALUE,
-                    "Samples per pixel of the direct lighting that is rendered apart. With a time limit, direct lighting"
-                            + " gets the share of the time that these samples have among samples and mutations, or that a"
-                            + " pilot says if there is one."),
+                    "Samples per pixel of the direct lighting that is rendered apart; 0 for as many as a pilot says, or if"
+                            + " there is none 16 for each 100 mutations per pixel. With a time limit, direct lighting gets"
+                            + " the share of the time that the pilot says, or that these samples have among samples and"
+                            + " mutations."),
             Parameter.flag(
                     "twoStage",
                     "Two-stage rendering",
@@ -120,8 +124,9 @@ public record ChainSettings(
         return (int) Math.min(MOST_CANDIDATES, Math.max(LEAST_CANDIDATES, steps(pixels) / STEPS_PER_CANDIDATE));
     }
 
-    /** What part of all work the direct light is, counted in samples and mutations. */
+    /** What part of all work the direct light is if no plan says, counted in samples and mutations. */
     double directShare() {
-        return directSamples / ((double) directSamples + mutationsPerPixel);
+        double samples = directSamples > 0 ? directSamples : SAMPLES_PER_MUTATION * mutationsPerPixel;
+        return samples / (samples + mutationsPerPixel);
     }
 }

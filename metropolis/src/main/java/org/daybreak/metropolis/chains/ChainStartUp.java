@@ -15,9 +15,6 @@ final class ChainStartUp {
     /** The first of two stages has one in so many steps and candidates, and as much of the time. */
     private static final int FIRST_STAGE = 10;
 
-    /** Tells the random numbers of the pilot from those of the first of two stages. */
-    private static final int PILOT = 1;
-
     /** Part of the time that is left which the candidates may take. */
     private static final double BOOTSTRAP_SHARE = 0.2;
 
@@ -58,20 +55,6 @@ final class ChainStartUp {
 
     private long pixels() {
         return (long) film.width() * film.height();
-    }
-
-    /**
-     * Finds out how to divide the light between samples and chains. The random numbers are its own, and the number of samples is fixed: so is
-     * the plan, whatever the time or the number of threads, unless the render is stopped meanwhile.
-     *
-     * @param workers makes workers with a seed
-     */
-    SamplePlan plan(LongFunction<PilotWorker> workers, int threads, Sharing sharing) {
-        long ownSeed = Mixing.absorb(seed, PILOT);
-        PilotGrid grid = new PilotGrid(film, ownSeed);
-        PilotPaths paths =
-                new SamplePilot(() -> workers.apply(ownSeed), grid, clock::shouldStop, progress::show).draw(threads);
-        return paths.surveys() < grid.surveys() ? SamplePlan.CHAINS_ALONE : SamplePlan.of(grid, paths, sharing);
     }
 
     /** Renders the rough image. Its random numbers are its own. */

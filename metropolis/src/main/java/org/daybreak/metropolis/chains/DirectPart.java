@@ -84,31 +84,32 @@ final class DirectPart {
         return warnings;
     }
 
-    /** What part of all work it is. */
-    double share() {
-        return isAll() ? 1 : settings.directShare();
-    }
-
     /**
      * How it is rendered if samples take nothing else off the chains: by path tracing.
      *
      * @param timeShare part of the time; 0 for what the numbers of samples and mutations say
+     * @param perPixel number of samples
+     * @param workShare part of all samples and steps
      */
-    Samples directAlone(double timeShare) {
+    Samples directAlone(double timeShare, int perPixel, double workShare) {
         int edges = maxDepth >= 0 ? Math.min(EDGES, maxDepth) : EDGES;
         PathTracerFactory factory = new PathTracerFactory();
         Map<String, String> parameters = Map.of("maxDepth", Integer.toString(edges), "splitting", "1");
         return new Samples(
                 factory.create(ParameterValues.parse(factory.parameters(), parameters, factory.id())),
-                timeShare > 0 && !isAll() ? timeShare : share());
+                isAll() ? 1 : timeShare > 0 ? timeShare : settings.directShare(),
+                perPixel,
+                workShare);
     }
 
     /**
      * What renders this part.
      *
      * @param timeShare part of the time that is left for it
+     * @param perPixel number of samples, if their number is limited
+     * @param workShare part of all samples and steps
      */
-    record Samples(Renderer renderer, double timeShare) {}
+    record Samples(Renderer renderer, double timeShare, int perPixel, double workShare) {}
 
     /**
      * Renders it.
@@ -118,7 +119,7 @@ final class DirectPart {
      */
     RenderReport render(
             Samples samples, Scene scene, Camera camera, Film film, RenderContext context, double secondsGone) {
-        RenderBudget budget = budget(context.budget(), samples.timeShare, secondsGone, film);
+        RenderBudget budget = budget(context.budget(), samples, secondsGone, film);
         return samples.renderer.render(
                 scene,
                 camera,
@@ -129,7 +130,7 @@ final class DirectPart {
                         budget,
                         context.antialiasing(),
                         context.cancellation(),
-                        new Listener(context.listener(), context.budget().seconds() - secondsGone),
+                        new Listener(context.listener(), context.budget().seconds() - secondsGone, samples.workShare),
                         context.part(),
                         context.start(),
                         context.checkpoints()));
@@ -139,29 +140,31 @@ final class DirectPart {
      * Of the time, this part may take its share, and of short times so much that each pixel should get a sample. Of the square of the error half is for it, so that the chains can bring the whole
      * below the target: as its own relative error is that of a darker image, this is on the safe side.
      */
-    private RenderBudget budget(RenderBudget whole, double timeShare, double secondsGone, Film film) {
+    private RenderBudget budget(RenderBudget whole, Samples samples, double secondsGone, Film film) {
         boolean open = whole.samplesPerPixel() >= Integer.MAX_VALUE;
         double target = isAll() ? whole.targetError() : whole.targetError() * Math.sqrt(0.5);
         double left = Math.max(NO_SECONDS, whole.seconds() - secondsGone);
         double pixels = (double) film.settings().width() * film.settings().height();
         double least = LEAST_SECONDS + SECONDS_PER_PIXEL * pixels;
-        double seconds = Math.max(left * timeShare, Math.min(0.5 * left, least));
-        return new RenderBudget(open ? Integer.MAX_VALUE : settings.directSamples(), seconds, target);
+        double seconds = Math.max(left * samples.timeShare, Math.min(0.5 * left, least));
+        return new RenderBudget(open ? Integer.MAX_VALUE : samples.perPixel, seconds, target);
     }
 
     /** Tells of this part's progress as a part of the whole. */
     private final class Listener implements RenderListener {
         private final RenderListener whole;
         private final double seconds;
+        private final double share;
 
-        Listener(RenderListener whole, double seconds) {
+        Listener(RenderListener whole, double seconds, double share) {
             this.whole = whole;
             this.seconds = seconds;
+            this.share = share;
         }
 
         @Override
         public void progress(Progress p) {
-            double fraction = p.fraction() * share();
+            double fraction = p.fraction() * share;
             double left = seconds < Double.POSITIVE_INFINITY
                     ? seconds - p.secondsElapsed()
                     : p.secondsElapsed() * (1 - fraction) / fraction;

@@ -1,17 +1,24 @@
 package org.daybreak.metropolis.chains;
 
 import java.util.function.BooleanSupplier;
+import java.util.function.LongFunction;
 import java.util.function.Supplier;
+import org.daybreak.core.film.FilmSettings;
 import org.daybreak.core.render.OrderedWork;
+import org.daybreak.core.render.RenderClock;
+import org.daybreak.core.render.RenderContext;
+import org.daybreak.core.sampling.Mixing;
 
 /** Draws a few samples that show what samples and what chains are good at: see {@link SamplePlan}. */
 final class SamplePilot extends OrderedWork<SamplePilot.Block> {
     private static final int BLOCK = 16;
 
+    /** Tells its random numbers from all others of a render. */
+    private static final int PILOT = 1;
+
     private final Supplier<PilotWorker> workers;
     private final PilotGrid grid;
     private final BooleanSupplier stop;
-    private final Runnable watch;
     private final PilotPaths all = new PilotPaths();
 
     /** Consecutive samples. */
@@ -27,19 +34,30 @@ final class SamplePilot extends OrderedWork<SamplePilot.Block> {
      * @param workers makes one for each thread
      * @param grid where on the film to survey
      * @param stop ends it early: the samples are then fewer
-     * @param watch called several times a second
      */
-    SamplePilot(Supplier<PilotWorker> workers, PilotGrid grid, BooleanSupplier stop, Runnable watch) {
+    private SamplePilot(Supplier<PilotWorker> workers, PilotGrid grid, BooleanSupplier stop) {
         this.workers = workers;
         this.grid = grid;
         this.stop = stop;
-        this.watch = watch;
     }
 
-    /** Draws, with a number of threads. */
-    PilotPaths draw(int threads) {
-        run(threads);
-        return all;
+    /**
+     * Finds out how to divide the light of a render between samples and chains. The random numbers are its own, and the number of samples is fixed: so
+     * is the plan, whatever the time or the number of threads, unless the render is stopped meanwhile.
+     *
+     * @param workers makes workers with a seed
+     */
+    static SamplePlan plan(
+            LongFunction<PilotWorker> workers,
+            FilmSettings film,
+            RenderContext context,
+            RenderClock clock,
+            Sharing sharing) {
+        long ownSeed = Mixing.absorb(context.seed(), PILOT);
+        PilotGrid grid = new PilotGrid(film, ownSeed);
+        SamplePilot pilot = new SamplePilot(() -> workers.apply(ownSeed), grid, clock::shouldStop);
+        pilot.run(context.threads());
+        return pilot.all.surveys() < grid.surveys() ? SamplePlan.CHAINS_ALONE : SamplePlan.of(grid, pilot.all, sharing);
     }
 
     @Override
@@ -75,6 +93,6 @@ final class SamplePilot extends OrderedWork<SamplePilot.Block> {
 
     @Override
     protected void watch() {
-        watch.run();
+        // It is over in a second, and until then nobody knows how much there is to do.
     }
 }

@@ -30,10 +30,11 @@ import java.util.Map;
  * @param ofSamples kinds of paths that are the samples'; none if chains find all but what is lit directly
  * @param gain foreseen: squared error of chains alone over that of both in the same time
  * @param timeShare part of the time that is for samples, of direct lighting alone if no other kinds are theirs; 0 if it is not known
+ * @param stepsPerSample c, of such a sample
  */
-record SamplePlan(PatternSet ofSamples, double gain, double timeShare) {
+record SamplePlan(PatternSet ofSamples, double gain, double timeShare, double stepsPerSample) {
     /** Samples have nothing to do with it. */
-    static final SamplePlan CHAINS_ALONE = new SamplePlan(PatternSet.NONE, 1, 0);
+    static final SamplePlan CHAINS_ALONE = new SamplePlan(PatternSet.NONE, 1, 0, 1);
 
     /** Below, what is foreseen is not sure enough: it was 1.45 where samples made it worse (decision 21). */
     private static final double LEAST_GAIN = 1.6;
@@ -209,12 +210,14 @@ record SamplePlan(PatternSet ofSamples, double gain, double timeShare) {
             double relative = kinds.stream().mapToDouble(kind -> kind.relative).sum();
             double raysPerSample = paths.rays() / (2.0 * PilotWorker.BLOCK * paths.surveys());
             // The variance of one half is that of the mean of a block.
-            double cost = SPREAD * PilotWorker.BLOCK * STEPS_PER_RAY * raysPerSample;
+            double stepsPerSample = STEPS_PER_RAY * raysPerSample;
+            double cost = SPREAD * PilotWorker.BLOCK * stepsPerSample;
             Halves ofRelative = new Halves(paths.surveys());
             Halves ofAbsolute = new Halves(paths.surveys());
             double restBrightness = brightness;
             double restRelative = relative;
-            SamplePlan best = new SamplePlan(PatternSet.NONE, 1, timeOfDirect(brightness * relative));
+            SamplePlan best = new SamplePlan(
+                    PatternSet.NONE, 1, timeOfDirect(brightness * relative), STEPS_PER_RAY * RAYS_OF_DIRECT);
             for (int count = 1; count <= kinds.size() && kinds.get(count - 1).isForSamples(); count++) {
                 Kind kind = kinds.get(count - 1);
                 for (int path : kind.paths) {
@@ -237,7 +240,7 @@ record SamplePlan(PatternSet ofSamples, double gain, double timeShare) {
                                 cost * ofAbsolute.variance(),
                                 share));
                 if (gain > (best.ofSamples.isEmpty() ? leastGain : best.gain)) {
-                    best = new SamplePlan(patterns(count), gain, share);
+                    best = new SamplePlan(patterns(count), gain, share, stepsPerSample);
                 }
             }
             return best;

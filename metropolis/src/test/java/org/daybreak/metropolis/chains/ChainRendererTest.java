@@ -436,7 +436,7 @@ class ChainRendererTest {
     @Test
     void settingsHaveTheThesisNumbers() {
         ChainSettings settings = ChainSettings.of(ParameterValues.defaults(ChainSettings.PARAMETERS));
-        assertEquals(new ChainSettings(1000, 100, true, 16, false, 8, 0), settings);
+        assertEquals(new ChainSettings(1000, 100, true, 0, false, 8, 0), settings);
         assertEquals(100_000, settings.candidates(1));
         assertEquals(100 * 1_000_000 / 8, settings.candidates(1_000_000));
         assertEquals("Count of seed paths", ChainSettings.PARAMETERS.get(0).label());
