@@ -151,7 +151,7 @@ final class DirectPart {
     }
 
     /** Tells of this part's progress as a part of the whole. */
-    private final class Listener implements RenderListener {
+    private static final class Listener implements RenderListener {
         private final RenderListener whole;
         private final double seconds;
         private final double share;
