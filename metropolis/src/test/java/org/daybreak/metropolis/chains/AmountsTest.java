@@ -31,7 +31,7 @@ class AmountsTest {
         double work = 2.5 * amounts.samplesPerPixel() * PIXELS + amounts.steps();
         // The number of samples is rounded.
         assertEquals((double) mutations * PIXELS, work, 1.25 * PIXELS);
-        assertEquals(0.4 * mutations * PIXELS, amounts.steps(), 1);
+        assertEquals(0.4 * mutations * PIXELS, (double) amounts.steps(), 1);
     }
 
     @ParameterizedTest
