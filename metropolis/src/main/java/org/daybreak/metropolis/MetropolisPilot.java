@@ -91,7 +91,7 @@ final class MetropolisPilot implements PilotWorker {
         double weight = path.eyeVertices() == 1 ? luminance / ((double) width * height) : luminance;
         int edges = path.lightVertices() + path.eyeVertices() - 1;
         long pattern = edges < shortest ? SHORT : PathPattern.of(path);
-        if (by != By.CANDIDATES && pattern != SHORT && !PathPattern.isJoinable(pattern)) {
+        if (by != By.CANDIDATES && pattern != SHORT && !PathPattern.suitsSamples(pattern)) {
             // What is found by chance tells little of what will be.
             return;
         }

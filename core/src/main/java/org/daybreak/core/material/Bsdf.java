@@ -27,6 +27,11 @@ public interface Bsdf {
         return true;
     }
 
+    /** True if all that this material scatters goes by delta lobes, and it scatters: an ideal mirror, or glass. */
+    default boolean scattersByDeltasOnly() {
+        return !connectable() && deltaLobes() > 0;
+    }
+
     /**
      * True if some lobe, other than passing straight through a mask, scatters light to the other side of the surface.
      */

@@ -18,6 +18,7 @@ final class Bootstrap extends OrderedWork<Bootstrap.Block> {
     private final BooleanSupplier stop;
     private final BooleanSupplier hurry;
     private final Runnable watch;
+    private final int enough;
     private final NonFiniteLog nonFinite;
     private double[] weights = new double[BLOCK];
     private int drawn;
@@ -27,6 +28,9 @@ final class Bootstrap extends OrderedWork<Bootstrap.Block> {
 
     /** Set by commits, read by those who ask whether to go on. */
     private volatile boolean known;
+
+    /** Set by commits: no candidate after these counts. */
+    private volatile boolean done;
 
     /** Consecutive candidates. */
     static final class Block {
@@ -51,6 +55,7 @@ final class Bootstrap extends OrderedWork<Bootstrap.Block> {
      *
      * @param seed of the workers, for addresses
      * @param candidates how many to draw
+     * @param enough how many of them are enough if they tell b well: the same number for any number of threads
      * @param stop ends it early: what was drawn until then counts
      * @param hurry ends it as soon as b is known well
      * @param watch called several times a second
@@ -60,6 +65,7 @@ final class Bootstrap extends OrderedWork<Bootstrap.Block> {
             ChainWorkers workers,
             long seed,
             int candidates,
+            int enough,
             BooleanSupplier stop,
             BooleanSupplier hurry,
             Runnable watch,
@@ -67,6 +73,7 @@ final class Bootstrap extends OrderedWork<Bootstrap.Block> {
         this.workers = workers;
         this.seed = seed;
         this.candidates = candidates;
+        this.enough = enough;
         this.stop = stop;
         this.hurry = hurry;
         this.watch = watch;
@@ -106,7 +113,7 @@ final class Bootstrap extends OrderedWork<Bootstrap.Block> {
     @Override
     protected boolean claim(long unit, Block block) {
         long first = unit * BLOCK;
-        if (first >= candidates || stop.getAsBoolean() || (known && hurry.getAsBoolean())) {
+        if (first >= candidates || done || stop.getAsBoolean() || (known && hurry.getAsBoolean())) {
             return false;
         }
         block.first = (int) first;
@@ -116,6 +123,9 @@ final class Bootstrap extends OrderedWork<Bootstrap.Block> {
 
     @Override
     protected void commit(long unit, Block block) {
+        if (done) {
+            return;
+        }
         if (drawn + block.count > weights.length) {
             weights = Arrays.copyOf(weights, Math.min(candidates, Math.max(2 * weights.length, drawn + block.count)));
         }
@@ -127,6 +137,7 @@ final class Bootstrap extends OrderedWork<Bootstrap.Block> {
         }
         // (standard error / mean)², of so many that n and n − 1 are the same.
         known = squares / (sum * sum) - 1.0 / drawn < GOOD_ENOUGH * GOOD_ENOUGH;
+        done = known && drawn >= enough;
         nonFinite.addAll(block.nonFinite);
     }
 

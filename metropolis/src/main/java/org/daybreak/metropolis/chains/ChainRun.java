@@ -102,6 +102,8 @@ final class ChainRun {
         startUp = new ChainStartUp(
                 settings,
                 film.settings(),
+                settings.candidates(amounts.steps()),
+                limited,
                 this.algorithm.moves().size(),
                 context.seed(),
                 this::newWorkers,

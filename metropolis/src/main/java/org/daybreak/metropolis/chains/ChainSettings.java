@@ -89,9 +89,10 @@ public record ChainSettings(
                     0,
                     100_000_000,
                     "Number of bidirectional samples from which the brightness of the image is estimated, and from which"
-                            + " the starts of the chains are drawn; 0 for an eighth of the mutations, at least 100000. Each"
-                            + " takes 8 bytes of memory. With a time limit they end after a fifth of the time, or a twentieth"
-                            + " if the brightness is known to 1 % by then. Does not change the mean."));
+                            + " the starts of the chains are drawn; 0 for an eighth of the mutations, at least 100000, or a"
+                            + " quarter of that if they tell the brightness to 1 %. Each takes 8 bytes of memory. With a time"
+                            + " limit they end after a fifth of the time, or a twentieth if the brightness is known to 1 % by"
+                            + " then. Does not change the mean."));
 
     /** Settings from parameter values. */
     public static ChainSettings of(ParameterValues values) {
@@ -111,17 +112,19 @@ public record ChainSettings(
     }
 
     /**
-     * Number of candidates on a film with a number of pixels. The brightness is a factor on the whole image, so the more the chains do the
-     * better it must be known.
+     * Number of candidates for a number of steps of all chains together. The brightness is a factor on the whole image, so the more the chains
+     * do the better it must be known. A candidate takes the time of some five steps.
      */
-    int candidates(long pixels) {
+    int candidates(long steps) {
         if (bootstrapSamples > 0) {
             return bootstrapSamples;
         }
-        if (mutationsPerPixel == Integer.MAX_VALUE) {
-            return MOST_CANDIDATES;
-        }
-        return (int) Math.min(MOST_CANDIDATES, Math.max(LEAST_CANDIDATES, steps(pixels) / STEPS_PER_CANDIDATE));
+        return (int) Math.min(MOST_CANDIDATES, Math.max(LEAST_CANDIDATES, steps / STEPS_PER_CANDIDATE));
+    }
+
+    /** Number of candidates that are enough, of a larger number, if they tell the brightness well. */
+    int enoughCandidates(int candidates) {
+        return bootstrapSamples > 0 ? candidates : Math.max(Math.min(candidates, LEAST_CANDIDATES), candidates / 4);
     }
 
     /** What part of all work the direct light is if no plan says, counted in samples and mutations. */

@@ -23,6 +23,8 @@ final class ChainStartUp {
 
     private final ChainSettings settings;
     private final FilmSettings film;
+    private final int candidates;
+    private final boolean limited;
     private final int moves;
     private final long seed;
     private final LongFunction<ChainWorkers> newWorkers;
@@ -32,6 +34,8 @@ final class ChainStartUp {
     /**
      * Creates the start-up of a render.
      *
+     * @param candidates number of candidates, at most
+     * @param limited whether their number ends the render, and not time alone
      * @param moves number of kinds of moves
      * @param seed of the render
      * @param newWorkers makes workers with a seed
@@ -39,6 +43,8 @@ final class ChainStartUp {
     ChainStartUp(
             ChainSettings settings,
             FilmSettings film,
+            int candidates,
+            boolean limited,
             int moves,
             long seed,
             LongFunction<ChainWorkers> newWorkers,
@@ -46,6 +52,8 @@ final class ChainStartUp {
             ChainProgress progress) {
         this.settings = settings;
         this.film = film;
+        this.candidates = candidates;
+        this.limited = limited;
         this.moves = moves;
         this.seed = seed;
         this.newWorkers = newWorkers;
@@ -63,7 +71,7 @@ final class ChainStartUp {
         ChainWorkers workers = newWorkers.apply(ownSeed);
         progress.endPhase("prepare");
         double end = clock.seconds() + clock.secondsLeft() / FIRST_STAGE;
-        int least = Math.max(1, settings.candidates(pixels()) / FIRST_STAGE);
+        int least = Math.max(1, candidates / FIRST_STAGE);
         StartDistribution distribution = candidates(workers, ownSeed, least, BOOTSTRAP_SHARE / FIRST_STAGE);
         long total = Math.max(1, settings.steps(pixels()) / FIRST_STAGE);
         int count = (int) Math.min(settings.seedPaths(), total);
@@ -95,7 +103,7 @@ final class ChainStartUp {
 
     /** Draws the candidates for the starts of the chains that make the image. */
     StartDistribution candidates(ChainWorkers workers) {
-        return candidates(workers, seed, settings.candidates(pixels()), BOOTSTRAP_SHARE);
+        return candidates(workers, seed, candidates, BOOTSTRAP_SHARE);
     }
 
     private StartDistribution candidates(ChainWorkers workers, long ownSeed, int count, double share) {
@@ -105,6 +113,7 @@ final class ChainStartUp {
                         workers,
                         ownSeed,
                         count,
+                        limited ? settings.enoughCandidates(count) : count,
                         () -> clock.shouldStop() || clock.seconds() - begin > most,
                         () -> clock.seconds() - begin > ENOUGH * most,
                         progress::show,

@@ -3,6 +3,7 @@ package org.daybreak.metropolis.strategy;
 import java.util.stream.IntStream;
 import org.daybreak.bidirectional.Contribution;
 import org.daybreak.core.camera.Camera;
+import org.daybreak.core.material.Bsdf;
 import org.daybreak.core.scene.RayCaster;
 import org.daybreak.core.scene.RayKind;
 import org.daybreak.core.scene.Scene;
@@ -50,9 +51,7 @@ public final class PathBuilder {
         contribution = new MeasurementContribution(scene, camera, guide, failure);
         assembler = new PathAssembler(scene, light, edges, contribution);
         pieces = new PieceBuilder(scene, camera, light, lens, walk, failure);
-        hasDeltas = IntStream.range(0, scene.shapeCount())
-                .mapToObj(scene::bsdf)
-                .anyMatch(bsdf -> !bsdf.connectable() && bsdf.deltaLobes() > 0);
+        hasDeltas = IntStream.range(0, scene.shapeCount()).mapToObj(scene::bsdf).anyMatch(Bsdf::scattersByDeltasOnly);
         scratchPath.reserve(LONGEST_WALK);
         scratchPath.length = LONGEST_WALK;
     }

@@ -52,15 +52,19 @@ public final class PathPattern {
     }
 
     /**
-     * Whether samples of pixels can make such paths by joining: a point on a light to a vertex without a delta lobe, or two such vertices
-     * next to each other. All others they only find if a subpath meets the light by chance: rarely, and with large contributions, of which a
-     * small number of samples may not show a single one.
+     * Whether samples of pixels can make such paths other than by chance: by joining a point on a light to a vertex without a delta lobe, or two such
+     * vertices next to each other; or as delta lobes lead from the lens to the light, so that the film position alone decides. All others
+     * they only find if a subpath meets the light by chance: rarely, and with large contributions, of which a small number of samples may not
+     * show a single one.
      */
-    public static boolean isJoinable(long pattern) {
+    public static boolean suitsSamples(long pattern) {
         if (pattern == LONG) {
             return false;
         }
         int inner = Long.SIZE - 1 - Long.numberOfLeadingZeros(pattern);
+        if (Long.bitCount(pattern) == inner + 1) {
+            return true;
+        }
         boolean joinable = true;
         for (int i = 0; i < inner; i++) {
             boolean delta = (pattern >> i & 1) != 0;

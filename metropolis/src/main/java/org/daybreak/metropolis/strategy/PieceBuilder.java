@@ -160,7 +160,7 @@ final class PieceBuilder {
 
     /** Whether walks pass a surface that they meet. */
     private boolean isPassed(int shape) {
-        return !scene.bsdf(shape).connectable() && scene.bsdf(shape).deltaLobes() > 0;
+        return scene.bsdf(shape).scattersByDeltasOnly();
     }
 
     /**

@@ -433,12 +433,25 @@ class ChainRendererTest {
                         .render(SCENE, camera, Rendering.film(WIDTH, HEIGHT + 1), Rendering.context(1, 1)));
     }
 
+    /** 384 pixels with 6250 mutations each: 300 000 candidates at most, of which 100 000 tell the brightness to 1 %. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 4})
+    void candidatesEndWhenTheyTellTheBrightness(int threads) {
+        ChainSettings settings = new ChainSettings(4, 6250, false, 2, false, 3, 0);
+        RenderReport report =
+                render(Rendering.toy(settings), Rendering.film(WIDTH, HEIGHT), Rendering.context(1, threads));
+        double candidates = report.figures().get("seeds");
+        assertTrue(candidates >= 100_000 && candidates < 100_100, () -> candidates + " candidates");
+        assertTrue(
+                report.figures().get("bStandardError") < 0.01 * report.figures().get("b"));
+    }
+
     @Test
     void settingsHaveTheThesisNumbers() {
         ChainSettings settings = ChainSettings.of(ParameterValues.defaults(ChainSettings.PARAMETERS));
         assertEquals(new ChainSettings(1000, 100, true, 0, false, 8, 0), settings);
         assertEquals(100_000, settings.candidates(1));
-        assertEquals(100 * 1_000_000 / 8, settings.candidates(1_000_000));
+        assertEquals(100 * 1_000_000 / 8, settings.candidates(100 * 1_000_000));
         assertEquals("Count of seed paths", ChainSettings.PARAMETERS.get(0).label());
         assertEquals(
                 "Count of mutations per pixel", ChainSettings.PARAMETERS.get(1).label());
