@@ -102,7 +102,7 @@ final class ChainRun {
         startUp = new ChainStartUp(
                 settings,
                 film.settings(),
-                settings.candidates(amounts.steps()),
+                settings.candidates(limited ? amounts.steps() : settings.steps(pixels)),
                 limited,
                 this.algorithm.moves().size(),
                 context.seed(),
