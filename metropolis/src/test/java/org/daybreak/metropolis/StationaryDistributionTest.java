@@ -124,6 +124,7 @@ class StationaryDistributionTest {
                 new Cells("counts", Paths::counts),
                 new Cells("places", path -> Paths.places(path, 0, -0.1, -0.4, ToyScenes.SIZE)),
                 new Cells("lengths", Paths::lengths),
+                new Cells("short edges", path -> Paths.shortEdges(path, StationaryStates.SHORT)),
                 new Cells("magnitudes", Paths::magnitude));
         private final Cells tableCells = new Cells(
                 "table",

@@ -24,6 +24,9 @@ import org.daybreak.metropolis.strategy.PathLimits;
  * copies, so the number of states that a sample gives has the expectation W/c in any case.
  */
 final class StationaryStates {
+    /** Edges are short below this part of the way to the lens: enough of them are. */
+    static final double SHORT = 0.6;
+
     private static final int PILOT = 4000;
 
     /** Light from a flat lamp to itself: rounding noise, that may not be there if the path is built again. */
@@ -83,7 +86,7 @@ final class StationaryStates {
             case 'L' -> new LensPerturbationStrat(1.5, smallest, largest);
             case 'F' -> new ManifoldPerturbationStrat(0.6, smallest, largest, smallest, 0.7 * largest);
             case 'C' -> new CausticPerturbationStrat(0.7, smallest, largest);
-            case 'M' -> new MultiChainPerturbationStrat(1.2, smallest, largest, smallest, 0.7 * largest, 0.6);
+            case 'M' -> new MultiChainPerturbationStrat(1.2, smallest, largest, smallest, 0.7 * largest, SHORT);
             default -> throw new IllegalArgumentException("no strategy " + letter);
         };
     }

@@ -49,6 +49,18 @@ public final class Paths {
                 + (path.infinite ? "*" : Math.round(Math.log(path.squared[0])));
     }
 
+    /** Edges, from the lens on, that are shorter than a part of the way from their end to the lens. */
+    public static String shortEdges(LightPath path, double part) {
+        StringBuilder text = new StringBuilder();
+        double way = 0;
+        for (int i = path.length - 2; i >= 0; i--) {
+            double edge = Math.sqrt(path.squared[i]);
+            text.append(edge < part * way ? 's' : 'l');
+            way += edge;
+        }
+        return text.toString();
+    }
+
     /** Order of magnitude of the contribution, by factors of √2. */
     public static String magnitude(LightPath path) {
         return path.length + " " + Math.round(2 * Math.log(path.contribution) / Math.log(2));
