@@ -11,7 +11,7 @@ the same number of mutations, in two ways:
 Both count on a reconstruction filter of one pixel, which the shipped scenes have.
 
 Needs: python 3, `pip install OpenEXR==3.5.3 numpy`.
-Usage: benchmarks/coverage.py [--setting NAME=VALUE] [--mutations 50] [--runs 8] [--threads 2] [--size WxH] [--seed-paths 1000] [SCENE ...]
+Usage: benchmarks/coverage.py [--setting NAME=VALUE] [--option NAME=VALUE ...] [--mutations 50] [--runs 8] [--threads 2] [--size WxH] [--seed-paths 1000] [SCENE ...]
 """
 
 import argparse
@@ -36,6 +36,8 @@ def render(scene, options, arguments, seed):
         image, stats = os.path.join(folder, "image.exr"), os.path.join(folder, "stats.json")
         command = [os.path.join(ROOT, "daybreak"), "render", os.path.join(ROOT, "scenes", scene, "scene.xml")]
         command += ["--renderer", "metropolis", "--spp", str(arguments.mutations), "-P", f"seedPaths={arguments.seed_paths}", *options]
+        for option in arguments.option:
+            command += ["-P", option]
         command += ["--threads", str(arguments.threads), "--seed", str(seed), "--progress", "none", "-o", image, "--stats", stats]
         if arguments.size:
             command += ["--size", arguments.size]
@@ -55,6 +57,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scenes", nargs="*", default=SCENES)
     parser.add_argument("--setting", default="lensSubpath=0", help="what to compare with the defaults")
+    parser.add_argument("--option", action="append", default=[], help="parameter NAME=VALUE of both, such as sharing=never")
     parser.add_argument("--mutations", type=int, default=50, help="mutations per pixel")
     parser.add_argument("--seed-paths", type=int, default=1000)
     parser.add_argument("--size", help="size WxH of all images; default: the scenes'")
