@@ -52,7 +52,8 @@ final class MetropolisAlgorithm implements ChainAlgorithm {
 
     @Override
     public PilotWorker newPilotWorker(Scene scene, Camera camera, long seed, int shortest) {
-        return new MetropolisPilot(scene, camera, seed, settings.bidirectional(), shortest);
+        return new MetropolisPilot(
+                scene, camera, seed, settings.bidirectional(), strategies(camera, seed, shortest), shortest);
     }
 
     @Override

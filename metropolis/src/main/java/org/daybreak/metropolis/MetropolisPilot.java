@@ -1,5 +1,6 @@
 package org.daybreak.metropolis;
 
+import java.util.List;
 import org.daybreak.bidirectional.BiDirectionalProcessor;
 import org.daybreak.bidirectional.BidirectionalSettings;
 import org.daybreak.bidirectional.Contribution;
@@ -13,12 +14,15 @@ import org.daybreak.core.sampling.StreamDomain;
 import org.daybreak.core.scene.RayKind;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.metropolis.chains.PilotWorker;
+import org.daybreak.metropolis.strategy.MutationStrategy;
 import org.daybreak.metropolis.strategy.PathPattern;
 import org.daybreak.tracing.RaySample;
+import org.jspecify.annotations.Nullable;
 
-/** Surveys paths with the samples that chains start from and with those that may take light off them. */
+/** Surveys paths with the samples that chains start from, with steps from there, and with the samples that may take light off chains. */
 final class MetropolisPilot implements PilotWorker {
     private static final int SOBOL_GROUP = 4;
+    private static final double WORK_OF_SHADOW_RAY = 0.5;
 
     private final int width;
     private final int height;
@@ -27,26 +31,35 @@ final class MetropolisPilot implements PilotWorker {
     private final BiDirectionalProcessor samples;
     private final Sampler anywhere;
     private final Sampler ofPixel;
+    private final PilotChain chain;
     private final RaySample sample = new RaySample();
     private final SplatBuffer splats = new SplatBuffer();
-    private By bySample = By.FIRST;
-    private Survey receiver = (pattern, filmX, filmY, weight, by) -> {};
+    private By half = By.FIRST;
+    private int number;
+    private @Nullable Survey receiver;
 
     /**
      * Creates a worker.
      *
      * @param seed of the pilot
      * @param bidirectional settings of candidates
+     * @param strategies moves of the chains
      * @param shortest smallest number of edges of the paths of chains
      */
-    MetropolisPilot(Scene scene, Camera camera, long seed, BidirectionalSettings bidirectional, int shortest) {
+    MetropolisPilot(
+            Scene scene,
+            Camera camera,
+            long seed,
+            BidirectionalSettings bidirectional,
+            List<MutationStrategy> strategies,
+            int shortest) {
         width = camera.width();
         height = camera.height();
         this.shortest = shortest;
         candidates =
                 new BiDirectionalProcessor(scene, camera, false, bidirectional, path -> found(path, By.CANDIDATES));
-        samples = new BiDirectionalProcessor(
-                scene, camera, false, bidirectional.ofPixels(), path -> found(path, bySample));
+        samples = new BiDirectionalProcessor(scene, camera, false, bidirectional.ofPixels(), path -> found(path, half));
+        chain = new PilotChain(scene, camera, seed, strategies);
         anywhere = new IndependentSampler(seed, StreamDomain.BOOTSTRAP);
         ofPixel = new SobolSampler(seed, StreamDomain.PIXEL, SOBOL_GROUP);
     }
@@ -54,14 +67,17 @@ final class MetropolisPilot implements PilotWorker {
     @Override
     public void survey(long index, int column, int row, Survey found) {
         receiver = found;
+        number = 0;
         for (int i = 0; i < 2 * BLOCK; i++) {
+            chain.begin(2 * BLOCK * index + i);
             anywhere.start(index, i);
             trace(anywhere.next() * width, anywhere.next() * height, anywhere, candidates);
+            chain.move(found);
         }
-        for (int half = 0; half < 2; half++) {
-            bySample = half == 0 ? By.FIRST : By.SECOND;
-            for (int i = 0; i < BLOCK; i++) {
-                ofPixel.start(2 * index + half, i);
+        for (int block = 0; block < 2; block++) {
+            half = block == 0 ? By.FIRST : By.SECOND;
+            for (number = 0; number < BLOCK; number++) {
+                ofPixel.start(2 * index + block, number);
                 trace(column + ofPixel.next(), row + ofPixel.next(), ofPixel, samples);
             }
         }
@@ -74,12 +90,17 @@ final class MetropolisPilot implements PilotWorker {
     }
 
     @Override
-    public long rays() {
-        long rays = 0;
+    public double work() {
+        double work = 0;
         for (RayKind kind : RayKind.values()) {
-            rays += kind == RayKind.SHADOW ? 0 : samples.rays(kind);
+            work += workOf(kind) * samples.rays(kind);
         }
-        return rays;
+        return work;
+    }
+
+    /** Any hit is found sooner than the nearest one. */
+    static double workOf(RayKind kind) {
+        return kind == RayKind.SHADOW ? WORK_OF_SHADOW_RAY : 1;
     }
 
     private void found(Contribution path, By by) {
@@ -95,6 +116,12 @@ final class MetropolisPilot implements PilotWorker {
             // What is found by chance tells little of what will be.
             return;
         }
-        receiver.found(pattern, path.filmX(), path.filmY(), weight / (by == By.CANDIDATES ? 2 * BLOCK : BLOCK), by);
+        if (by == By.CANDIDATES && pattern != SHORT) {
+            chain.offer(path, weight);
+        }
+        if (receiver != null) {
+            double share = weight / (by == By.CANDIDATES ? 2 * BLOCK : BLOCK);
+            receiver.found(pattern, path.filmX(), path.filmY(), share, by, by == By.CANDIDATES ? 0 : number);
+        }
     }
 }

@@ -17,6 +17,7 @@ import org.daybreak.core.scene.Scene;
 import org.daybreak.metropolis.chains.ChainStatistics;
 import org.daybreak.metropolis.chains.ChainWorker;
 import org.daybreak.metropolis.chains.PatternSet;
+import org.daybreak.metropolis.chains.PilotWorker;
 import org.daybreak.metropolis.strategy.LightPath;
 import org.daybreak.metropolis.strategy.PathBuilder;
 import org.daybreak.metropolis.strategy.PathPattern;
@@ -28,7 +29,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** That samples and chains agree on the kind of each path: else they would find some twice and others not at all. */
 class PathPatternTest {
     private static final int SAMPLES = 2000;
-    private static final MetropolisSettings SETTINGS =
+    static final MetropolisSettings SETTINGS =
             MetropolisSettings.of(ParameterValues.parse(MetropolisSettings.PARAMETERS, Map.of(), "metropolis"));
 
     static Iterable<String> scenes() {
@@ -89,9 +90,20 @@ class PathPatternTest {
     void chainsKeepOffWhatIsLeftOut(String name) {
         Scene scene = ToyScenes.scene(name);
         Map<Long, Double> light = new TreeMap<>();
-        MetropolisPilot pilot = new MetropolisPilot(scene, scene.camera(), 3, SETTINGS.bidirectional(), 1);
+        PilotWorker pilot = new MetropolisAlgorithm(SETTINGS).newPilotWorker(scene, scene.camera(), 3, 1);
+        PilotWorker.Survey survey = new PilotWorker.Survey() {
+            @Override
+            public void found(long pattern, double x, double y, double weight, PilotWorker.By by, int sample) {
+                light.merge(pattern, weight, Double::sum);
+            }
+
+            @Override
+            public void moved(long pattern, double weight, double work) {
+                // Where chains go is asked below.
+            }
+        };
         for (int i = 0; i < SAMPLES / 8; i++) {
-            pilot.survey(i, 0, 0, (pattern, x, y, weight, by) -> light.merge(pattern, weight, Double::sum));
+            pilot.survey(i, 0, 0, survey);
         }
         long brightest = light.entrySet().stream()
                 .max(Map.Entry.comparingByValue())

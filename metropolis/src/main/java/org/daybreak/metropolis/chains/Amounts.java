@@ -28,7 +28,8 @@ record Amounts(int samplesPerPixel, long steps) {
             return new Amounts(atLeastOne(mutations * share / (1 - share) / plan.stepsPerSample()), steps);
         }
         return new Amounts(
-                atLeastOne(mutations * share / plan.stepsPerSample()), Math.max(1, Math.round(steps * (1 - share))));
+                atLeastOne(mutations * share / plan.stepsPerSample()),
+                Math.max(1, Math.round(steps * (1 - share) / plan.stepCost())));
     }
 
     /** An {@code int} that is near. */

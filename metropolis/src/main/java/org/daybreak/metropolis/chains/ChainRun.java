@@ -13,6 +13,7 @@ import org.daybreak.core.render.RenderClock;
 import org.daybreak.core.render.RenderContext;
 import org.daybreak.core.render.RenderReport;
 import org.daybreak.core.render.RenderState;
+import org.daybreak.core.render.Renderer;
 import org.daybreak.core.scene.Scene;
 import org.daybreak.tracing.Reports;
 import org.jspecify.annotations.Nullable;
@@ -146,7 +147,8 @@ final class ChainRun {
             Film film,
             RenderContext context) {
         RenderClock clock = new RenderClock(context);
-        SamplePlan plan = hasPilot(algorithm, direct, context)
+        boolean hasPilot = hasPilot(algorithm, direct, context);
+        SamplePlan plan = hasPilot
                 ? SamplePilot.plan(
                         seed -> algorithm.newPilotWorker(scene, camera, seed, direct.shortestOfChains()),
                         film.settings(),
@@ -154,7 +156,11 @@ final class ChainRun {
                         clock,
                         algorithm.sharing())
                 : SamplePlan.CHAINS_ALONE;
-        return new ChainRun(algorithm, plan, settings, direct, scene, camera, film, context, clock).run();
+        ChainRun run = new ChainRun(algorithm, plan, settings, direct, scene, camera, film, context, clock);
+        if (hasPilot) {
+            run.progress.endPhase("pilot");
+        }
+        return run.run();
     }
 
     /** A pilot is the same for each part of a render and whenever it is resumed, unless that is complete. */
@@ -165,9 +171,6 @@ final class ChainRun {
     }
 
     private RenderReport run() {
-        if (hasPilot(whole, direct, context)) {
-            progress.endPhase("pilot");
-        }
         RenderState start = context.start();
         if (start != null && start.complete()) {
             // Nothing follows a complete render, and one that was merged from parts has no position.
@@ -209,13 +212,11 @@ final class ChainRun {
 
     private void renderDirect(@Nullable RenderState start) {
         if (directPhase.isLeft(start)) {
-            DirectPart.Samples samples = plan.ofSamples().isEmpty()
-                    ? direct.directAlone(plan.timeShare(), amounts.samplesPerPixel(), shareOfSamples())
-                    : new DirectPart.Samples(
-                            whole.samples(plan.ofSamples(), direct.shortestOfChains()),
-                            plan.timeShare(),
-                            amounts.samplesPerPixel(),
-                            shareOfSamples());
+            Renderer renderer = plan.ofSamples().isEmpty()
+                    ? direct.pathTracer()
+                    : whole.samples(plan.ofSamples(), direct.shortestOfChains());
+            DirectPart.Samples samples = new DirectPart.Samples(
+                    renderer, direct.timeShare(plan), amounts.samplesPerPixel(), shareOfSamples());
             RenderReport report = directPhase.render(samples, scene, camera, film, start, clock.seconds());
             progress.addDirect(report);
             warnings.addAll(report.warnings());

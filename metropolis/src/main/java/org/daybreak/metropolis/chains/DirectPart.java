@@ -84,22 +84,20 @@ final class DirectPart {
         return warnings;
     }
 
-    /**
-     * How it is rendered if samples take nothing else off the chains: by path tracing.
-     *
-     * @param timeShare part of the time; 0 for what the numbers of samples and mutations say
-     * @param perPixel number of samples
-     * @param workShare part of all samples and steps
-     */
-    Samples directAlone(double timeShare, int perPixel, double workShare) {
+    /** What renders it if samples take nothing else off the chains: path tracing. */
+    Renderer pathTracer() {
         int edges = maxDepth >= 0 ? Math.min(EDGES, maxDepth) : EDGES;
         PathTracerFactory factory = new PathTracerFactory();
         Map<String, String> parameters = Map.of("maxDepth", Integer.toString(edges), "splitting", "1");
-        return new Samples(
-                factory.create(ParameterValues.parse(factory.parameters(), parameters, factory.id())),
-                isAll() ? 1 : timeShare > 0 ? timeShare : settings.directShare(),
-                perPixel,
-                workShare);
+        return factory.create(ParameterValues.parse(factory.parameters(), parameters, factory.id()));
+    }
+
+    /** Its part of the time: all if there is nothing else, otherwise what a plan says, or the numbers of samples and mutations. */
+    double timeShare(SamplePlan plan) {
+        if (isAll()) {
+            return 1;
+        }
+        return plan.timeShare() > 0 ? plan.timeShare() : settings.directShare();
     }
 
     /**

@@ -6,20 +6,23 @@ import java.util.Arrays;
 final class PilotPaths implements PilotWorker.Survey {
     private static final int INITIAL_CAPACITY = 64;
 
+    private final PilotSteps steps = new PilotSteps();
     private int surveys;
-    private long rays;
+    private double work;
     private int size;
     private long[] pattern = new long[INITIAL_CAPACITY];
     private double[] filmX = new double[INITIAL_CAPACITY];
     private double[] filmY = new double[INITIAL_CAPACITY];
     private double[] weight = new double[INITIAL_CAPACITY];
     private PilotWorker.By[] by = new PilotWorker.By[INITIAL_CAPACITY];
+    private int[] sample = new int[INITIAL_CAPACITY];
     private int[] survey = new int[INITIAL_CAPACITY];
 
     void clear() {
         size = 0;
         surveys = 0;
-        rays = 0;
+        work = 0;
+        steps.clear();
     }
 
     /** Ends the survey whose paths were added last. */
@@ -27,14 +30,19 @@ final class PilotPaths implements PilotWorker.Survey {
         surveys++;
     }
 
-    /** Counts rays of surveys that are not for occlusion. */
-    void addRays(long number) {
-        rays += number;
+    /** Adds work of samples. */
+    void addWork(double ofSamples) {
+        work += ofSamples;
     }
 
-    /** Number of such rays. */
-    long rays() {
-        return rays;
+    /** Work of all samples together. */
+    double work() {
+        return work;
+    }
+
+    /** Steps of chains from these paths. */
+    PilotSteps steps() {
+        return steps;
     }
 
     /** Number of surveys, with those that have found nothing. */
@@ -73,14 +81,25 @@ final class PilotPaths implements PilotWorker.Survey {
         return survey[path];
     }
 
+    /** Number of the sample that has found a path, in its half of the survey. */
+    int sample(int path) {
+        return sample[path];
+    }
+
     @Override
-    public void found(long kind, double x, double y, double w, PilotWorker.By finder) {
+    public void moved(long kind, double w, double ofStep) {
+        steps.add(kind, w, ofStep);
+    }
+
+    @Override
+    public void found(long kind, double x, double y, double w, PilotWorker.By finder, int number) {
         reserve(size + 1);
         filmX[size] = x;
         filmY[size] = y;
         weight[size] = w;
         pattern[size] = kind;
         by[size] = finder;
+        sample[size] = number;
         survey[size] = surveys;
         size++;
     }
@@ -93,12 +112,14 @@ final class PilotPaths implements PilotWorker.Survey {
         System.arraycopy(others.weight, 0, weight, size, others.size);
         System.arraycopy(others.pattern, 0, pattern, size, others.size);
         System.arraycopy(others.by, 0, by, size, others.size);
+        System.arraycopy(others.sample, 0, sample, size, others.size);
         for (int i = 0; i < others.size; i++) {
             survey[size + i] = surveys + others.survey[i];
         }
         size += others.size;
         surveys += others.surveys;
-        rays += others.rays;
+        work += others.work;
+        steps.addAll(others.steps);
     }
 
     private void reserve(int paths) {
@@ -111,6 +132,7 @@ final class PilotPaths implements PilotWorker.Survey {
         filmY = Arrays.copyOf(filmY, capacity);
         weight = Arrays.copyOf(weight, capacity);
         by = Arrays.copyOf(by, capacity);
+        sample = Arrays.copyOf(sample, capacity);
         survey = Arrays.copyOf(survey, capacity);
     }
 }

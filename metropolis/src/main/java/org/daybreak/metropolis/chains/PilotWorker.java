@@ -19,7 +19,6 @@ public interface PilotWorker {
     }
 
     /** Told of the paths that are found. */
-    @FunctionalInterface
     interface Survey {
         /**
          * A path.
@@ -29,18 +28,29 @@ public interface PilotWorker {
          * @param weight w·f* / p over the number of candidates or samples: the expectation of the sum over the paths of the candidates is the mean
          *     luminance of the image, and that over those of the samples the luminance of the pixel, but for kinds of paths that such samples
          *     cannot find, or by chance only
+         * @param sample number of the sample in its half of the survey, from 0; 0 for candidates
          */
-        void found(long pattern, double filmX, double filmY, double weight, By by);
+        void found(long pattern, double filmX, double filmY, double weight, By by, int sample);
+
+        /**
+         * A step that a chain has tried from a path that a candidate has found.
+         *
+         * @param pattern the kind of path that it was at
+         * @param weight of such steps: their mean is that over chains, as with independent paths of the chains' density
+         * @param work of the step, as of {@link #work()}
+         */
+        void moved(long pattern, double weight, double work);
     }
 
     /**
-     * Draws some candidates for the starts of chains, and as many samples of one pixel, in two halves; the random numbers are those of the index.
+     * Draws some candidates for the starts of chains, tries steps from there, and draws as many samples of one pixel, in two halves; the random
+     * numbers are those of the index.
      *
      * @param column of the pixel
      * @param row of the pixel
      */
     void survey(long index, int column, int row, Survey found);
 
-    /** Number of rays that the samples have traced so far, without those that test for occlusion. */
-    long rays();
+    /** Work of the samples so far, in rays that find the nearest surface; in what else takes time, as if it were such rays. */
+    double work();
 }

@@ -70,12 +70,12 @@ final class SamplePilot extends OrderedWork<SamplePilot.Block> {
         PilotWorker worker = workers.get();
         return (unit, block) -> {
             block.paths.clear();
-            long before = worker.rays();
+            double before = worker.work();
             for (int i = block.first; i < block.end; i++) {
                 worker.survey(i, grid.column(i), grid.row(i), block.paths);
                 block.paths.endSurvey();
             }
-            block.paths.addRays(worker.rays() - before);
+            block.paths.addWork(worker.work() - before);
         };
     }
 
