@@ -10,7 +10,7 @@ final class PilotGrid {
     private static final int CELLS = 64;
 
     /** Number of pixels that are surveyed in each. */
-    private static final int PER_CELL = 20;
+    private static final int PER_CELL = 10;
 
     private final int width;
     private final int height;

@@ -38,7 +38,7 @@ record SamplePlan(PatternSet ofSamples, double gain, double timeShare, double st
     /** Samples have nothing to do with it. */
     static final SamplePlan CHAINS_ALONE = new SamplePlan(PatternSet.NONE, 1, 0, 1, 1);
 
-    /** Below, what is foreseen is not sure enough: it was up to 1.2 where samples made it worse (decision 21). */
+    /** Below, what is foreseen is not sure enough: it was up to 1.3 where samples made it worse (decision 21). */
     private static final double LEAST_GAIN = 1.35;
 
     /** What samples find without any noise is not worth more than that. */
