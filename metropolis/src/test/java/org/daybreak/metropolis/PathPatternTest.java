@@ -99,7 +99,7 @@ class PathPatternTest {
 
             @Override
             public void moved(long pattern, double weight, double work) {
-                // Where chains go is asked below.
+                // PilotChainTest asks for these.
             }
         };
         for (int i = 0; i < SAMPLES / 8; i++) {
