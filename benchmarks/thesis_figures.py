@@ -11,8 +11,9 @@ seeds and, unless `--seconds` is given, 250 mutations per pixel; the other then 
   plain_box    cornell_spheres without the spheres: lit plainly, where neither should be much ahead.
 
 Renders each scene several times for the same wall time with both, and prints the ratio of their errors: the variance between runs,
-averaged over the pixels, as such (MSE) and over the squared mean plus 0.01 (relMSE). Above 1, the second has less error. What both
-have in common, such as an error of the brightness of all chains of a run, is in the variance; a bias is not, so the means are
+averaged over the pixels, as such (MSE) and over the squared mean plus 0.01 (relMSE). Above 1, the second has less error. The standard
+error behind it is a jackknife's, by leaving out one run of each at a time; it says nothing about what happens in none of the runs. What
+both have in common, such as an error of the brightness of all chains of a run, is in the variance; a bias is not, so the means are
 compared too: their difference in percent and in standard errors. The pictures of the first runs go side by side into FOLDER/<scene>.png.
 
 Needs: python 3, `pip install OpenEXR==3.5.3 numpy pillow`. A machine that does nothing else meanwhile.
@@ -123,23 +124,37 @@ def compare(name, arguments):
         return {"bidirectional": first, arguments.metropolis: second}
 
 
+def errors_of(images, mean):
+    variance = images.var(0, ddof=1)
+    return np.array([variance.mean(), (variance / (mean**2 + 0.01)).mean()])
+
+
+def jackknife(first, second, mean):
+    """Standard errors of the ratios of errors; none of two runs."""
+    runs = len(first)
+    if runs < 3:
+        return np.full(2, np.nan)
+    left = [errors_of(np.delete(first, i, 0), mean) / errors_of(np.delete(second, i, 0), mean) for i in range(runs)]
+    return np.sqrt((runs - 1) * np.var(left, axis=0))
+
+
 def print_errors(name, results):
     (first, second), sets = results.keys(), [images for images, _, _ in results.values()]
     mean = np.mean([images.mean(0) for images in sets], axis=0)
     errors, levels = [], []
     for renderer, (images, count, seconds) in results.items():
-        variance = images.var(0, ddof=1)
-        errors.append((variance.mean(), (variance / (mean**2 + 0.01)).mean()))
+        errors.append(errors_of(images, mean))
         levels.append(images.mean((1, 2, 3)))
         print(
             f"{name:16} {renderer:14} {count:7.1f} spp {seconds:6.1f} s  mean {images.mean():.4f}"
             f"  MSE {errors[-1][0]:.3e}  relMSE {errors[-1][1]:.3e}"
         )
-    ratio = [a / b for a, b in zip(*errors)]
+    ratio = errors[0] / errors[1]
+    doubt = jackknife(*sets, mean)
     difference = levels[1].mean() - levels[0].mean()
     deviation = np.sqrt(sum(level.var(ddof=1) / len(level) for level in levels))
     print(
-        f"{name:16} {first} over {second}: MSE {ratio[0]:.2f}, relMSE {ratio[1]:.2f};"
+        f"{name:16} {first} over {second}: MSE {ratio[0]:.2f} ± {doubt[0]:.2f}, relMSE {ratio[1]:.2f} ± {doubt[1]:.2f};"
         f" means differ by {100 * difference / levels[0].mean():+.2f} %, {difference / deviation:+.1f} standard errors",
         flush=True,
     )

@@ -90,6 +90,11 @@ final class MetropolisPilot implements PilotWorker {
     }
 
     @Override
+    public long rays(RayKind kind) {
+        return candidates.rays(kind) + samples.rays(kind) + chain.rays(kind);
+    }
+
+    @Override
     public double work() {
         double work = 0;
         for (RayKind kind : RayKind.values()) {

@@ -72,10 +72,15 @@ final class PilotChain {
         }
     }
 
+    /** Number of rays of a kind traced so far. */
+    long rays(RayKind kind) {
+        return builder.rays(kind);
+    }
+
     private double work() {
         double work = 0;
         for (RayKind kind : RayKind.values()) {
-            work += MetropolisPilot.workOf(kind) * builder.rays(kind);
+            work += MetropolisPilot.workOf(kind) * rays(kind);
         }
         return work;
     }

@@ -59,8 +59,8 @@ class TransitionTest {
     private static final int SIZE = 32;
     private static final int LONGEST = 9;
     private static final double SMALLEST = 0.1;
-    private static final double SHORT = 0.3;
     private static final double LARGEST = Math.sqrt(0.05 * SIZE * SIZE / Math.PI);
+    private static final double SHORT = 0.3;
     private static final int STEPS_OF_CHAIN = 100;
     private static final int PROPOSALS = 2500;
 

@@ -28,6 +28,7 @@ final class ChainRun {
     /** With the target that the plan leaves to chains. */
     private final ChainAlgorithm algorithm;
 
+    private final SamplePilot.Outcome pilot;
     private final SamplePlan plan;
     private final Amounts amounts;
     private final ChainSettings settings;
@@ -65,7 +66,7 @@ final class ChainRun {
 
     private ChainRun(
             ChainAlgorithm algorithm,
-            SamplePlan plan,
+            SamplePilot.Outcome pilot,
             ChainSettings settings,
             DirectPart direct,
             Scene scene,
@@ -74,7 +75,8 @@ final class ChainRun {
             RenderContext context,
             RenderClock clock) {
         whole = algorithm;
-        this.plan = plan;
+        this.pilot = pilot;
+        plan = pilot.plan();
         this.algorithm = plan.ofSamples().isEmpty() ? algorithm : algorithm.remainder(plan.ofSamples());
         this.settings = settings;
         this.direct = direct;
@@ -148,15 +150,15 @@ final class ChainRun {
             RenderContext context) {
         RenderClock clock = new RenderClock(context);
         boolean hasPilot = hasPilot(algorithm, direct, context);
-        SamplePlan plan = hasPilot
-                ? SamplePilot.plan(
+        SamplePilot.Outcome pilot = hasPilot
+                ? SamplePilot.of(
                         seed -> algorithm.newPilotWorker(scene, camera, seed, direct.shortestOfChains()),
                         film.settings(),
                         context,
                         clock,
                         algorithm.sharing())
-                : SamplePlan.CHAINS_ALONE;
-        ChainRun run = new ChainRun(algorithm, plan, settings, direct, scene, camera, film, context, clock);
+                : SamplePilot.Outcome.NONE;
+        ChainRun run = new ChainRun(algorithm, pilot, settings, direct, scene, camera, film, context, clock);
         if (hasPilot) {
             run.progress.endPhase("pilot");
         }
@@ -404,7 +406,8 @@ final class ChainRun {
     private Map<String, Long> rays() {
         Map<String, Long> rays = new LinkedHashMap<>();
         Reports.raysByKind(allWorkers, ChainWorkers::rays)
-                .forEach((kind, count) -> rays.put(kind, count + directPhase.rays(kind)));
+                .forEach((kind, count) -> rays.put(
+                        kind, count + directPhase.rays(kind) + pilot.rays().getOrDefault(kind, 0L)));
         return rays;
     }
 

@@ -1,5 +1,7 @@
 package org.daybreak.metropolis.chains;
 
+import org.daybreak.core.scene.RayKind;
+
 /** Draws samples that show what samples and what chains would make of the paths of a scene. One object per thread. */
 public interface PilotWorker {
     /** The pattern of all paths that are too short for chains. */
@@ -50,6 +52,9 @@ public interface PilotWorker {
      * @param row of the pixel
      */
     void survey(long index, int column, int row, Survey found);
+
+    /** Number of rays of a kind traced so far. */
+    long rays(RayKind kind);
 
     /** Work of the samples so far, in rays that find the nearest surface; in what else takes time, as if it were such rays. */
     double work();

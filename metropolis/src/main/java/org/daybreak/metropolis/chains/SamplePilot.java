@@ -1,5 +1,9 @@
 package org.daybreak.metropolis.chains;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongFunction;
 import java.util.function.Supplier;
@@ -8,6 +12,7 @@ import org.daybreak.core.render.OrderedWork;
 import org.daybreak.core.render.RenderClock;
 import org.daybreak.core.render.RenderContext;
 import org.daybreak.core.sampling.Mixing;
+import org.daybreak.tracing.Reports;
 
 /** Draws a few samples that show what samples and what chains are good at: see {@link SamplePlan}. */
 final class SamplePilot extends OrderedWork<SamplePilot.Block> {
@@ -20,6 +25,17 @@ final class SamplePilot extends OrderedWork<SamplePilot.Block> {
     private final PilotGrid grid;
     private final BooleanSupplier stop;
     private final PilotPaths all = new PilotPaths();
+    private final List<PilotWorker> made = Collections.synchronizedList(new ArrayList<>());
+
+    /**
+     * What a pilot leaves behind.
+     *
+     * @param rays number of rays traced, by the name of their kind
+     */
+    record Outcome(SamplePlan plan, Map<String, Long> rays) {
+        /** Where there is no pilot. */
+        static final Outcome NONE = new Outcome(SamplePlan.CHAINS_ALONE, Map.of());
+    }
 
     /** Consecutive samples. */
     static final class Block {
@@ -47,7 +63,7 @@ final class SamplePilot extends OrderedWork<SamplePilot.Block> {
      *
      * @param workers makes workers with a seed
      */
-    static SamplePlan plan(
+    static Outcome of(
             LongFunction<PilotWorker> workers,
             FilmSettings film,
             RenderContext context,
@@ -57,7 +73,9 @@ final class SamplePilot extends OrderedWork<SamplePilot.Block> {
         PilotGrid grid = new PilotGrid(film, ownSeed);
         SamplePilot pilot = new SamplePilot(() -> workers.apply(ownSeed), grid, clock::shouldStop);
         pilot.run(context.threads());
-        return pilot.all.surveys() < grid.surveys() ? SamplePlan.CHAINS_ALONE : SamplePlan.of(grid, pilot.all, sharing);
+        boolean isWhole = pilot.all.surveys() == grid.surveys();
+        SamplePlan plan = isWhole ? SamplePlan.of(grid, pilot.all, sharing) : SamplePlan.CHAINS_ALONE;
+        return new Outcome(plan, Reports.raysByKind(pilot.made, PilotWorker::rays));
     }
 
     @Override
@@ -68,6 +86,7 @@ final class SamplePilot extends OrderedWork<SamplePilot.Block> {
     @Override
     protected Worker<Block> newWorker() {
         PilotWorker worker = workers.get();
+        made.add(worker);
         return (unit, block) -> {
             block.paths.clear();
             double before = worker.work();
