@@ -28,7 +28,7 @@ final class ChainRun {
     /** With the target that the plan leaves to chains. */
     private final ChainAlgorithm algorithm;
 
-    private final SamplePilot.Outcome pilot;
+    private final Map<String, Long> raysOfPilot;
     private final SamplePlan plan;
     private final Amounts amounts;
     private final ChainSettings settings;
@@ -75,7 +75,7 @@ final class ChainRun {
             RenderContext context,
             RenderClock clock) {
         whole = algorithm;
-        this.pilot = pilot;
+        raysOfPilot = pilot.rays();
         plan = pilot.plan();
         this.algorithm = plan.ofSamples().isEmpty() ? algorithm : algorithm.remainder(plan.ofSamples());
         this.settings = settings;
@@ -406,8 +406,8 @@ final class ChainRun {
     private Map<String, Long> rays() {
         Map<String, Long> rays = new LinkedHashMap<>();
         Reports.raysByKind(allWorkers, ChainWorkers::rays)
-                .forEach((kind, count) -> rays.put(
-                        kind, count + directPhase.rays(kind) + pilot.rays().getOrDefault(kind, 0L)));
+                .forEach((kind, count) ->
+                        rays.put(kind, count + directPhase.rays(kind) + raysOfPilot.getOrDefault(kind, 0L)));
         return rays;
     }
 
